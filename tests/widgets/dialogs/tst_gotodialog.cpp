@@ -3,8 +3,8 @@
 #include "tests/support/colours.h"
 #include "tests/support/scenes/shapes.h"
 #include "tests/support/testprogram.h"
+#include "tests/support/tracedplayhead.h"
 #include "widgets/dialogs/gotodialog.h"
-#include "widgets/model/playhead.h"
 
 #include <QDialogButtonBox>
 #include <QLabel>
@@ -57,8 +57,7 @@ private slots:
         QFETCH(Scene, scene);
         QFETCH(SpanAxis, axis);
         QFETCH(QString, verdict);
-        Playhead playhead;
-        playhead.setTraced(traceScene(scene));
+        TracedPlayhead playhead(scene);
         GoToDialog dialog(&playhead);
         auto *line = dialog.findChild<QLineEdit *>(QStringLiteral("goToLine"));
         const auto *label = dialog.findChild<QLabel *>(QStringLiteral("goToLabel"));
@@ -82,8 +81,7 @@ private slots:
 
     void whatNothingHasIsObjectedTo()
     {
-        Playhead playhead;
-        playhead.setTraced(traceScene(triangleScene("row-walk")));
+        TracedPlayhead playhead(triangleScene("row-walk"));
         GoToDialog dialog(&playhead);
         QTest::keyClicks(dialog.findChild<QLineEdit *>(QStringLiteral("goToLine")),
                          QStringLiteral("39"));

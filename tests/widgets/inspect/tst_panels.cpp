@@ -4,9 +4,9 @@
 #include "tests/support/scenes/shapes.h"
 #include "tests/support/scenes/spacescenes.h"
 #include "tests/support/testprogram.h"
+#include "tests/support/tracedplayhead.h"
 #include "widgets/inspect/formulapanel.h"
 #include "widgets/look/numberformat.h"
-#include "widgets/model/playhead.h"
 
 #include <QAbstractTextDocumentLayout>
 #include <QLabel>
@@ -32,172 +32,158 @@ class TestPanels : public QObject {
     Q_OBJECT
 
 private slots:
-    void formulasNameTheNumbersOfTheStep();
-    void theWayFromSpaceStandsWhereASolidsTriangleBegins();
-    void theChangeOfHalfIsAnEvent();
-    void numbersStandOnOneLineInANarrowPanel();
-    void anEmptySceneSaysWhatToDo();
-    void formulasKeepTheirPlaceWhileStepping();
-    void shortFormulasHaveNoScrollBarAtAnyWidth();
-    void aShortFormulaStandsBesideItsChannels();
-};
+    void formulasNameTheNumbersOfTheStep()
+    {
+        TracedPlayhead playhead(defaultSceneIn(Arithmetic::Float32));
+        FormulaPanel panel(&playhead);
 
-void TestPanels::formulasNameTheNumbersOfTheStep()
-{
-    Playhead playhead;
-    playhead.setTraced(traceScene(defaultSceneIn(Arithmetic::Float32)));
-    FormulaPanel panel(&playhead);
+        playhead.seekToSpan(std::size_t(rowOf(33)));
 
-    playhead.seekToSpan(std::size_t(rowOf(33)));
-
-    const Explanation explanation = explainStep(*playhead.traced(), playhead.position() - 1);
-    const QString text = textOf(*panel.findChild<QTextBrowser *>());
-    QVERIFY(!explanation.lines.empty());
-    for (const FormulaLine &line : explanation.lines) {
-        QVERIFY2(text.contains(displayText(line.used)), qPrintable(line.symbols));
-        if (!line.exact.isNone())
-            QVERIFY2(text.contains(displayError(line.used, line.exact)), qPrintable(line.symbols));
-    }
-    QVERIFY(panel.accessibleDescription().contains(explanation.sentence));
-}
-
-void TestPanels::theWayFromSpaceStandsWhereASolidsTriangleBegins()
-{
-    Playhead playhead;
-    playhead.setTraced(traceScene(sceneOf({triangle3({0, 0, 2}, {1, 0, -2}, {0, 1, 4.5})})));
-    FormulaPanel panel(&playhead);
-    const auto *browser = panel.findChild<QTextBrowser *>();
-
-    playhead.seek(playhead.traced()->trace->indexOfSetUp(0) + 1);
-    const Explanation explanation = explainStep(*playhead.traced(), playhead.position() - 1);
-    const QString text = textOf(*browser);
-    QCOMPARE(explanation.stages.front().stage, QStringLiteral("Vertex"));
-    QCOMPARE(explanation.stages.back().stage, QStringLiteral("Lattice"));
-    for (const StageFormulas &stage : explanation.stages) {
-        QVERIFY2(text.contains(stage.stage), qPrintable(stage.stage));
-        for (const FormulaLine &line : stage.lines) {
+        const Explanation explanation = explainStep(*playhead.traced(), playhead.position() - 1);
+        const QString text = textOf(*panel.findChild<QTextBrowser *>());
+        QVERIFY(!explanation.lines.empty());
+        for (const FormulaLine &line : explanation.lines) {
             QVERIFY2(text.contains(displayText(line.used)), qPrintable(line.symbols));
             if (!line.exact.isNone())
                 QVERIFY2(text.contains(displayError(line.used, line.exact)),
                          qPrintable(line.symbols));
         }
+        QVERIFY(panel.accessibleDescription().contains(explanation.sentence));
     }
-    QVERIFY(panel.accessibleDescription().contains(QStringLiteral("Clip coordinates")));
 
-    playhead.seekToSpan(0);
-    QVERIFY(!browser->toPlainText().contains(QStringLiteral("Clip coordinates")));
-}
+    void theWayFromSpaceStandsWhereASolidsTriangleBegins()
+    {
+        TracedPlayhead playhead(sceneOf({triangle3({0, 0, 2}, {1, 0, -2}, {0, 1, 4.5})}));
+        FormulaPanel panel(&playhead);
+        const auto *browser = panel.findChild<QTextBrowser *>();
 
-void TestPanels::theChangeOfHalfIsAnEvent()
-{
-    Playhead playhead;
-    playhead.setTraced(traceScene(defaultSceneIn(Arithmetic::Exact)));
-    FormulaPanel panel(&playhead);
-    auto *heading = panel.findChild<QLabel *>(QStringLiteral("formulaHeading"));
+        playhead.seek(playhead.traced()->trace->indexOfSetUp(0) + 1);
+        const Explanation explanation = explainStep(*playhead.traced(), playhead.position() - 1);
+        const QString text = textOf(*browser);
+        QCOMPARE(explanation.stages.front().stage, QStringLiteral("Vertex"));
+        QCOMPARE(explanation.stages.back().stage, QStringLiteral("Lattice"));
+        for (const StageFormulas &stage : explanation.stages) {
+            QVERIFY2(text.contains(stage.stage), qPrintable(stage.stage));
+            for (const FormulaLine &line : stage.lines) {
+                QVERIFY2(text.contains(displayText(line.used)), qPrintable(line.symbols));
+                if (!line.exact.isNone())
+                    QVERIFY2(text.contains(displayError(line.used, line.exact)),
+                             qPrintable(line.symbols));
+            }
+        }
+        QVERIFY(panel.accessibleDescription().contains(QStringLiteral("Clip coordinates")));
 
-    playhead.seekToSpan(std::size_t(rowOf(26)));
-    QVERIFY(!heading->text().contains(QStringLiteral("⚑")));
-
-    playhead.seekToSpan(std::size_t(rowOf(27)));
-    QVERIFY(heading->text().contains(QStringLiteral("⚑")));
-    QVERIFY(heading->text().contains(QStringLiteral("L₁₂")));
-}
-
-void TestPanels::numbersStandOnOneLineInANarrowPanel()
-{
-    Playhead playhead;
-    playhead.setTraced(traceScene(defaultSceneIn(Arithmetic::Float64)));
-    FormulaPanel panel(&playhead);
-    panel.resize(330, 700);
-    panel.show();
-    playhead.seekToSpan(std::size_t(rowOf(58)));
-    const Explanation explanation = explainStep(*playhead.traced(), playhead.position() - 1);
-    QStringList numbers;
-    for (const FormulaLine &line : explanation.lines)
-        numbers += displayText(line.used, Arithmetic::Float64);
-
-    const QTextDocument &document = *panel.findChild<QTextBrowser *>()->document();
-    int found = 0;
-    for (QTextBlock block = document.begin(); block.isValid(); block = block.next()) {
-        const QString text = block.text().remove(QChar(0x2060));
-        const bool isNumber = std::ranges::any_of(
-            numbers, [&](const QString &number) { return text.endsWith(number); });
-        if (!isNumber)
-            continue;
-        ++found;
-        QVERIFY2(block.layout()->lineCount() == 1, qPrintable(text));
+        playhead.seekToSpan(0);
+        QVERIFY(!browser->toPlainText().contains(QStringLiteral("Clip coordinates")));
     }
-    QVERIFY(found >= 10);
-}
 
-void TestPanels::anEmptySceneSaysWhatToDo()
-{
-    Playhead playhead;
-    FormulaPanel panel(&playhead);
-    const auto *sentence = panel.findChild<QLabel *>(QStringLiteral("formulaSentence"));
+    void theChangeOfHalfIsAnEvent()
+    {
+        TracedPlayhead playhead(defaultSceneIn(Arithmetic::Exact));
+        FormulaPanel panel(&playhead);
+        auto *heading = panel.findChild<QLabel *>(QStringLiteral("formulaHeading"));
 
-    QVERIFY(sentence->text().contains(QStringLiteral("is still being recorded")));
+        playhead.seekToSpan(std::size_t(rowOf(26)));
+        QVERIFY(!heading->text().contains(QStringLiteral("⚑")));
 
-    playhead.setTraced(traceScene(Scene()));
-    QVERIFY(sentence->text().contains(QStringLiteral("Click three points on the canvas")));
-}
-
-void TestPanels::formulasKeepTheirPlaceWhileStepping()
-{
-    Playhead playhead;
-    playhead.setTraced(traceScene(defaultSceneIn(Arithmetic::Exact)));
-    FormulaPanel panel(&playhead);
-    panel.resize(440, 240);
-    panel.show();
-    playhead.seekToSpan(std::size_t(rowOf(30)));
-    auto *formulas = panel.findChild<QTextBrowser *>();
-    formulas->verticalScrollBar()->setValue(60);
-    const QRect place = formulas->geometry();
-
-    playhead.step(StepUnit::Span, StepDirection::Forward);
-
-    QCOMPARE(formulas->geometry(), place);
-    QCOMPARE(formulas->verticalScrollBar()->value(), 60);
-}
-
-void TestPanels::shortFormulasHaveNoScrollBarAtAnyWidth()
-{
-    const Scene scene = sceneOf(lineAt(20, 41, 30, 44), "line-bresenham", frameOf(64, 48));
-    Playhead playhead;
-    playhead.setTraced(traceScene(scene));
-    playhead.seekToSpan(0);
-    FormulaPanel panel(&playhead);
-    panel.show();
-    const auto *bar = panel.findChild<QTextBrowser *>()->horizontalScrollBar();
-    for (int width = 300; width <= 520; width += 4) {
-        panel.resize(width, 300);
-        QCoreApplication::processEvents();
-        QVERIFY2(!bar->isVisible(), qPrintable(QString::number(width)));
+        playhead.seekToSpan(std::size_t(rowOf(27)));
+        QVERIFY(heading->text().contains(QStringLiteral("⚑")));
+        QVERIFY(heading->text().contains(QStringLiteral("L₁₂")));
     }
-}
 
-void TestPanels::aShortFormulaStandsBesideItsChannels()
-{
-    Playhead playhead;
-    playhead.setTraced(traceScene(defaultSceneIn(Arithmetic::Exact)));
-    FormulaPanel panel(&playhead);
-    panel.resize(480, 600);
-    panel.show();
-    playhead.seekToSpan(std::size_t(rowOf(30)));
-    const auto *formulas = panel.findChild<QTextBrowser *>();
-    const QTextDocument &document = *formulas->document();
-    const auto topOf = [&](const char *text) {
-        const QTextCursor found = document.find(QString::fromUtf8(text));
-        return found.isNull() ? -1
-                              : document.documentLayout()->blockBoundingRect(found.block()).top();
-    };
-    const double symbols = topOf("CB ← CB′");
-    QVERIFY(symbols > 0);
-    const QTextCursor channel
-        = document.find(QStringLiteral("R "), document.find(QStringLiteral("CB ← CB′")));
-    QCOMPARE(document.documentLayout()->blockBoundingRect(channel.block()).top(), symbols);
-    QVERIFY(topOf("first C") > symbols);
-}
+    void numbersStandOnOneLineInANarrowPanel()
+    {
+        TracedPlayhead playhead(defaultSceneIn(Arithmetic::Float64));
+        FormulaPanel panel(&playhead);
+        panel.resize(330, 700);
+        panel.show();
+        playhead.seekToSpan(std::size_t(rowOf(58)));
+        const Explanation explanation = explainStep(*playhead.traced(), playhead.position() - 1);
+        QStringList numbers;
+        for (const FormulaLine &line : explanation.lines)
+            numbers += displayText(line.used, Arithmetic::Float64);
+
+        const QTextDocument &document = *panel.findChild<QTextBrowser *>()->document();
+        int found = 0;
+        for (QTextBlock block = document.begin(); block.isValid(); block = block.next()) {
+            const QString text = block.text().remove(QChar(0x2060));
+            const bool isNumber = std::ranges::any_of(
+                numbers, [&](const QString &number) { return text.endsWith(number); });
+            if (!isNumber)
+                continue;
+            ++found;
+            QVERIFY2(block.layout()->lineCount() == 1, qPrintable(text));
+        }
+        QVERIFY(found >= 10);
+    }
+
+    void anEmptySceneSaysWhatToDo()
+    {
+        Playhead playhead;
+        FormulaPanel panel(&playhead);
+        const auto *sentence = panel.findChild<QLabel *>(QStringLiteral("formulaSentence"));
+
+        QVERIFY(sentence->text().contains(QStringLiteral("is still being recorded")));
+
+        playhead.setTraced(traceScene(Scene()));
+        QVERIFY(sentence->text().contains(QStringLiteral("Click three points on the canvas")));
+    }
+
+    void formulasKeepTheirPlaceWhileStepping()
+    {
+        TracedPlayhead playhead(defaultSceneIn(Arithmetic::Exact));
+        FormulaPanel panel(&playhead);
+        panel.resize(440, 240);
+        panel.show();
+        playhead.seekToSpan(std::size_t(rowOf(30)));
+        auto *formulas = panel.findChild<QTextBrowser *>();
+        formulas->verticalScrollBar()->setValue(60);
+        const QRect place = formulas->geometry();
+
+        playhead.step(StepUnit::Span, StepDirection::Forward);
+
+        QCOMPARE(formulas->geometry(), place);
+        QCOMPARE(formulas->verticalScrollBar()->value(), 60);
+    }
+
+    void shortFormulasHaveNoScrollBarAtAnyWidth()
+    {
+        const Scene scene = sceneOf(lineAt(20, 41, 30, 44), "line-bresenham", frameOf(64, 48));
+        TracedPlayhead playhead(scene);
+        playhead.seekToSpan(0);
+        FormulaPanel panel(&playhead);
+        panel.show();
+        const auto *bar = panel.findChild<QTextBrowser *>()->horizontalScrollBar();
+        for (int width = 300; width <= 520; width += 4) {
+            panel.resize(width, 300);
+            QCoreApplication::processEvents();
+            QVERIFY2(!bar->isVisible(), qPrintable(QString::number(width)));
+        }
+    }
+
+    void aShortFormulaStandsBesideItsChannels()
+    {
+        TracedPlayhead playhead(defaultSceneIn(Arithmetic::Exact));
+        FormulaPanel panel(&playhead);
+        panel.resize(480, 600);
+        panel.show();
+        playhead.seekToSpan(std::size_t(rowOf(30)));
+        const auto *formulas = panel.findChild<QTextBrowser *>();
+        const QTextDocument &document = *formulas->document();
+        const auto topOf = [&](const char *text) {
+            const QTextCursor found = document.find(QString::fromUtf8(text));
+            return found.isNull()
+                ? -1
+                : document.documentLayout()->blockBoundingRect(found.block()).top();
+        };
+        const double symbols = topOf("CB ← CB′");
+        QVERIFY(symbols > 0);
+        const QTextCursor channel
+            = document.find(QStringLiteral("R "), document.find(QStringLiteral("CB ← CB′")));
+        QCOMPARE(document.documentLayout()->blockBoundingRect(channel.block()).top(), symbols);
+        QVERIFY(topOf("first C") > symbols);
+    }
+};
 
 PIXELPLUMB_TEST(TestPanels)
 

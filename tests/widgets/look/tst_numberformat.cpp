@@ -19,269 +19,246 @@ class TestNumberFormat : public QObject {
     Q_OBJECT
 
 private slots:
-    void writesNumbersForTheEye_data();
-    void writesNumbersForTheEye();
-    void fixedPointIsShownInDecimals_data();
-    void fixedPointIsShownInDecimals();
-    void decimalsAreDigitsOfTheNumberAndNotRounded_data();
-    void decimalsAreDigitsOfTheNumberAndNotRounded();
-    void aDecimalInLittleRoomTellsHowFarFromAWholeNumberItIs_data();
-    void aDecimalInLittleRoomTellsHowFarFromAWholeNumberItIs();
-    void decimalsBesideANumberEqualItAreNearItOrSayNothing_data();
-    void decimalsBesideANumberEqualItAreNearItOrSayNothing();
-    void toolTipsSetTheSubscriptsOfEveryNumber();
-    void errorsCarryTheirSign_data();
-    void errorsCarryTheirSign();
-    void findsTheFirstDigitThatDiffers_data();
-    void findsTheFirstDigitThatDiffers();
-    void takesNumbersApartWhereColumnsAlignThem_data();
-    void takesNumbersApartWhereColumnsAlignThem();
-    void lowersWhatFollowsAnUnderscore_data();
-    void lowersWhatFollowsAnUnderscore();
-};
+    void writesNumbersForTheEye_data()
+    {
+        QTest::addColumn<Quantity>("quantity");
+        QTest::addColumn<QString>("expected");
+        QTest::newRow("none") << Quantity() << QString();
+        QTest::newRow("zero") << Quantity::integer(0) << QStringLiteral("0");
+        QTest::newRow("integer") << Quantity::integer(-17) << QStringLiteral("−17");
+        QTest::newRow("mixed") << Quantity::rational(139, 8) << QStringLiteral("17\u20093/8");
+        QTest::newRow("negative mixed")
+            << Quantity::rational(-7, 3) << QStringLiteral("−2\u20091/3");
+        QTest::newRow("below one") << Quantity::rational(-3, 8) << QStringLiteral("−3/8");
+        QTest::newRow("six digits") << Quantity::rational(1, 999999) << QStringLiteral("1/999999");
+        QTest::newRow("seven digits")
+            << Quantity::rational(1, 1000001) << QStringLiteral("0.0000009…");
+        QTest::newRow("float") << Quantity::of(0.1F) << QStringLiteral("0.1");
+        QTest::newRow("double") << Quantity::of(-0.1) << QStringLiteral("−0.1");
+        QTest::newRow("small float") << Quantity::of(1.5e-5F) << QStringLiteral("0.000015");
+        QTest::newRow("tiny double") << Quantity::of(1.5e-12) << QStringLiteral("1.5e−12");
+        QTest::newRow("infinite") << Quantity::of(-std::numeric_limits<double>::infinity())
+                                  << QStringLiteral("−∞");
+        QTest::newRow("not a number")
+            << Quantity::of(std::numeric_limits<float>::quiet_NaN()) << QStringLiteral("NaN");
+    }
+    void writesNumbersForTheEye()
+    {
+        QFETCH(const Quantity, quantity);
+        QTEST(displayText(quantity), "expected");
+    }
 
-void TestNumberFormat::writesNumbersForTheEye_data()
-{
-    QTest::addColumn<Quantity>("quantity");
-    QTest::addColumn<QString>("expected");
-    QTest::newRow("none") << Quantity() << QString();
-    QTest::newRow("zero") << Quantity::integer(0) << QStringLiteral("0");
-    QTest::newRow("integer") << Quantity::integer(-17) << QStringLiteral("−17");
-    QTest::newRow("mixed") << Quantity::rational(139, 8) << QStringLiteral("17\u20093/8");
-    QTest::newRow("negative mixed") << Quantity::rational(-7, 3) << QStringLiteral("−2\u20091/3");
-    QTest::newRow("below one") << Quantity::rational(-3, 8) << QStringLiteral("−3/8");
-    QTest::newRow("six digits") << Quantity::rational(1, 999999) << QStringLiteral("1/999999");
-    QTest::newRow("seven digits") << Quantity::rational(1, 1000001) << QStringLiteral("0.0000009…");
-    QTest::newRow("float") << Quantity::of(0.1F) << QStringLiteral("0.1");
-    QTest::newRow("double") << Quantity::of(-0.1) << QStringLiteral("−0.1");
-    QTest::newRow("small float") << Quantity::of(1.5e-5F) << QStringLiteral("0.000015");
-    QTest::newRow("tiny double") << Quantity::of(1.5e-12) << QStringLiteral("1.5e−12");
-    QTest::newRow("infinite") << Quantity::of(-std::numeric_limits<double>::infinity())
-                              << QStringLiteral("−∞");
-    QTest::newRow("not a number") << Quantity::of(std::numeric_limits<float>::quiet_NaN())
-                                  << QStringLiteral("NaN");
-}
+    void fixedPointIsShownInDecimals_data()
+    {
+        QTest::addColumn<Quantity>("quantity");
+        QTest::addColumn<Arithmetic>("arithmetic");
+        QTest::addColumn<QString>("expected");
+        const Quantity third = Quantity::of(FixedPoint16::fromRaw(21845));
+        QTest::newRow("16.16") << third << Arithmetic::Fixed16 << QStringLiteral("0.333328…");
+        QTest::newRow("32.32") << third << Arithmetic::Fixed32 << QStringLiteral("0.33332824707…");
+        QTest::newRow("exact keeps fractions")
+            << Quantity::rational(1, 3) << Arithmetic::Exact << QStringLiteral("1/3");
+        QTest::newRow("integers stay integers") << Quantity::of(FixedPoint16::fromInteger(7))
+                                                << Arithmetic::Fixed16 << QStringLiteral("7");
+    }
+    void fixedPointIsShownInDecimals()
+    {
+        QFETCH(const Quantity, quantity);
+        QFETCH(const Arithmetic, arithmetic);
+        QTEST(displayText(quantity, arithmetic), "expected");
+    }
 
-void TestNumberFormat::writesNumbersForTheEye()
-{
-    QFETCH(const Quantity, quantity);
-    QTEST(displayText(quantity), "expected");
-}
+    void decimalsAreDigitsOfTheNumberAndNotRounded_data()
+    {
+        QTest::addColumn<Quantity>("quantity");
+        QTest::addColumn<int>("places");
+        QTest::addColumn<QString>("expected");
+        QTest::newRow("terminating")
+            << Quantity::rational(139, 8) << 6 << QStringLiteral("17.375000");
+        QTest::newRow("two thirds") << Quantity::rational(2, 3) << 6 << QStringLiteral("0.666666…");
+        QTest::newRow("negative") << Quantity::rational(-7, 3) << 2 << QStringLiteral("−2.33…");
+        QTest::newRow("beyond a double")
+            << Quantity::rational(1, 7) << 24 << QStringLiteral("0.142857142857142857142857…");
+        QTest::newRow("integer") << Quantity::integer(3) << 2 << QStringLiteral("3.00");
+        QTest::newRow("float") << Quantity::of(0.5F) << 3 << QStringLiteral("0.500");
+        // A double shows its shortest decimal; if that has more places, it is cut as in sentences.
+        QTest::newRow("double") << Quantity::of(0.3) << 6 << QStringLiteral("0.300000");
+        QTest::newRow("double of many digits")
+            << Quantity::of(8.0 / 3) << 6 << QStringLiteral("2.666666…");
+        QTest::newRow("little below 0")
+            << Quantity::rational(-1, 2097152) << 6 << QStringLiteral("−0.0000004…");
+        // Numbers whose ceiling or floor must be credible from the digits.
+        QTest::newRow("just above 12")
+            << Quantity::of(12 + 0x1p-40) << 4 << QStringLiteral("12.0000000000009…");
+        QTest::newRow("just below 12")
+            << Quantity::of(12 - 0x1p-40) << 4 << QStringLiteral("11.9999…");
+        QTest::newRow("just below −12")
+            << Quantity::of(-12 - 0x1p-40) << 4 << QStringLiteral("−12.0000000000009…");
+        QTest::newRow("a fraction above 12")
+            << Quantity::rational(12 * (Int128(1) << 40) + 1, Int128(1) << 40) << 6
+            << QStringLiteral("12.0000000000009…");
+        QTest::newRow("whole") << Quantity::of(12.0) << 4 << QStringLiteral("12.0000");
+    }
+    void decimalsAreDigitsOfTheNumberAndNotRounded()
+    {
+        QFETCH(const Quantity, quantity);
+        QFETCH(const int, places);
+        QTEST(displayDecimal(quantity, places), "expected");
+    }
 
-void TestNumberFormat::fixedPointIsShownInDecimals_data()
-{
-    QTest::addColumn<Quantity>("quantity");
-    QTest::addColumn<Arithmetic>("arithmetic");
-    QTest::addColumn<QString>("expected");
-    const Quantity third = Quantity::of(FixedPoint16::fromRaw(21845));
-    QTest::newRow("16.16") << third << Arithmetic::Fixed16 << QStringLiteral("0.333328…");
-    QTest::newRow("32.32") << third << Arithmetic::Fixed32 << QStringLiteral("0.33332824707…");
-    QTest::newRow("exact keeps fractions")
-        << Quantity::rational(1, 3) << Arithmetic::Exact << QStringLiteral("1/3");
-    QTest::newRow("integers stay integers")
-        << Quantity::of(FixedPoint16::fromInteger(7)) << Arithmetic::Fixed16 << QStringLiteral("7");
-}
+    void aDecimalInLittleRoomTellsHowFarFromAWholeNumberItIs_data()
+    {
+        QTest::addColumn<Quantity>("quantity");
+        QTest::addColumn<QString>("expected");
+        QTest::newRow("above") << Quantity::of(12 + 0x1p-49) << QStringLiteral("12 + 2e−15");
+        QTest::newRow("below zero") << Quantity::of(-12 - 0x1p-40) << QStringLiteral("−12 − 9e−13");
+        QTest::newRow("not near") << Quantity::of(12.34567) << QStringLiteral("12.3456…");
+        QTest::newRow("below") << Quantity::of(12 - 0x1p-40) << QStringLiteral("11.9999…");
+        QTest::newRow("a fraction") << Quantity::rational(37, 3) << QStringLiteral("12.3333…");
+        QTest::newRow("whole") << Quantity::of(12.0) << QStringLiteral("12.0000");
+    }
+    void aDecimalInLittleRoomTellsHowFarFromAWholeNumberItIs()
+    {
+        QFETCH(const Quantity, quantity);
+        QTEST(shortDecimal(quantity, 4), "expected");
+    }
 
-void TestNumberFormat::fixedPointIsShownInDecimals()
-{
-    QFETCH(const Quantity, quantity);
-    QFETCH(const Arithmetic, arithmetic);
-    QTEST(displayText(quantity, arithmetic), "expected");
-}
+    void decimalsBesideANumberEqualItAreNearItOrSayNothing_data()
+    {
+        QTest::addColumn<Quantity>("quantity");
+        QTest::addColumn<Arithmetic>("arithmetic");
+        QTest::addColumn<QString>("expected");
+        const auto none = Quantity();
+        QTest::newRow("nothing") << none << Arithmetic::Exact << QString();
+        QTest::newRow("integer") << Quantity::integer(255) << Arithmetic::Exact << QString();
+        QTest::newRow("float") << Quantity::of(0.1F) << Arithmetic::Float32 << QString();
+        QTest::newRow("eighths") << Quantity::rational(255, 8) << Arithmetic::Exact
+                                 << QStringLiteral("= 31.875");
+        QTest::newRow("negative half")
+            << Quantity::rational(-1, 2) << Arithmetic::Exact << QStringLiteral("= −0.5");
+        QTest::newRow("six places")
+            << Quantity::rational(1, 64) << Arithmetic::Exact << QStringLiteral("= 0.015625");
+        QTest::newRow("seven places")
+            << Quantity::rational(1, 128) << Arithmetic::Exact << QStringLiteral("≈ 0.007812…");
+        QTest::newRow("thirds") << Quantity::rational(17, 3) << Arithmetic::Exact
+                                << QStringLiteral("≈ 5.666666…");
+        QTest::newRow("decimals already")
+            << Quantity::rational(1, 1'000'003) << Arithmetic::Exact << QString();
+        QTest::newRow("fixed point")
+            << Quantity::rational(21845, 65536) << Arithmetic::Fixed16 << QString();
+    }
+    void decimalsBesideANumberEqualItAreNearItOrSayNothing()
+    {
+        QFETCH(const Quantity, quantity);
+        QFETCH(const Arithmetic, arithmetic);
+        QTEST(decimalBeside(quantity, arithmetic), "expected");
+    }
 
-void TestNumberFormat::decimalsAreDigitsOfTheNumberAndNotRounded_data()
-{
-    QTest::addColumn<Quantity>("quantity");
-    QTest::addColumn<int>("places");
-    QTest::addColumn<QString>("expected");
-    QTest::newRow("terminating") << Quantity::rational(139, 8) << 6 << QStringLiteral("17.375000");
-    QTest::newRow("two thirds") << Quantity::rational(2, 3) << 6 << QStringLiteral("0.666666…");
-    QTest::newRow("negative") << Quantity::rational(-7, 3) << 2 << QStringLiteral("−2.33…");
-    QTest::newRow("beyond a double")
-        << Quantity::rational(1, 7) << 24 << QStringLiteral("0.142857142857142857142857…");
-    QTest::newRow("integer") << Quantity::integer(3) << 2 << QStringLiteral("3.00");
-    QTest::newRow("float") << Quantity::of(0.5F) << 3 << QStringLiteral("0.500");
-    // A double shows its shortest decimal; if that has more places, it is cut as in sentences.
-    QTest::newRow("double") << Quantity::of(0.3) << 6 << QStringLiteral("0.300000");
-    QTest::newRow("double of many digits")
-        << Quantity::of(8.0 / 3) << 6 << QStringLiteral("2.666666…");
-    QTest::newRow("little below 0")
-        << Quantity::rational(-1, 2097152) << 6 << QStringLiteral("−0.0000004…");
-    // Numbers whose ceiling or floor must be credible from the digits.
-    QTest::newRow("just above 12")
-        << Quantity::of(12 + 0x1p-40) << 4 << QStringLiteral("12.0000000000009…");
-    QTest::newRow("just below 12") << Quantity::of(12 - 0x1p-40) << 4 << QStringLiteral("11.9999…");
-    QTest::newRow("just below −12")
-        << Quantity::of(-12 - 0x1p-40) << 4 << QStringLiteral("−12.0000000000009…");
-    QTest::newRow("a fraction above 12")
-        << Quantity::rational(12 * (Int128(1) << 40) + 1, Int128(1) << 40) << 6
-        << QStringLiteral("12.0000000000009…");
-    QTest::newRow("whole") << Quantity::of(12.0) << 4 << QStringLiteral("12.0000");
-}
-
-void TestNumberFormat::decimalsAreDigitsOfTheNumberAndNotRounded()
-{
-    QFETCH(const Quantity, quantity);
-    QFETCH(const int, places);
-    QTEST(displayDecimal(quantity, places), "expected");
-}
-
-void TestNumberFormat::aDecimalInLittleRoomTellsHowFarFromAWholeNumberItIs_data()
-{
-    QTest::addColumn<Quantity>("quantity");
-    QTest::addColumn<QString>("expected");
-    QTest::newRow("above") << Quantity::of(12 + 0x1p-49) << QStringLiteral("12 + 2e−15");
-    QTest::newRow("below zero") << Quantity::of(-12 - 0x1p-40) << QStringLiteral("−12 − 9e−13");
-    QTest::newRow("not near") << Quantity::of(12.34567) << QStringLiteral("12.3456…");
-    QTest::newRow("below") << Quantity::of(12 - 0x1p-40) << QStringLiteral("11.9999…");
-    QTest::newRow("a fraction") << Quantity::rational(37, 3) << QStringLiteral("12.3333…");
-    QTest::newRow("whole") << Quantity::of(12.0) << QStringLiteral("12.0000");
-}
-
-void TestNumberFormat::aDecimalInLittleRoomTellsHowFarFromAWholeNumberItIs()
-{
-    QFETCH(const Quantity, quantity);
-    QTEST(shortDecimal(quantity, 4), "expected");
-}
-
-void TestNumberFormat::decimalsBesideANumberEqualItAreNearItOrSayNothing_data()
-{
-    QTest::addColumn<Quantity>("quantity");
-    QTest::addColumn<Arithmetic>("arithmetic");
-    QTest::addColumn<QString>("expected");
-    const auto none = Quantity();
-    QTest::newRow("nothing") << none << Arithmetic::Exact << QString();
-    QTest::newRow("integer") << Quantity::integer(255) << Arithmetic::Exact << QString();
-    QTest::newRow("float") << Quantity::of(0.1F) << Arithmetic::Float32 << QString();
-    QTest::newRow("eighths") << Quantity::rational(255, 8) << Arithmetic::Exact
-                             << QStringLiteral("= 31.875");
-    QTest::newRow("negative half")
-        << Quantity::rational(-1, 2) << Arithmetic::Exact << QStringLiteral("= −0.5");
-    QTest::newRow("six places") << Quantity::rational(1, 64) << Arithmetic::Exact
-                                << QStringLiteral("= 0.015625");
-    QTest::newRow("seven places") << Quantity::rational(1, 128) << Arithmetic::Exact
-                                  << QStringLiteral("≈ 0.007812…");
-    QTest::newRow("thirds") << Quantity::rational(17, 3) << Arithmetic::Exact
-                            << QStringLiteral("≈ 5.666666…");
-    QTest::newRow("decimals already")
-        << Quantity::rational(1, 1'000'003) << Arithmetic::Exact << QString();
-    QTest::newRow("fixed point") << Quantity::rational(21845, 65536) << Arithmetic::Fixed16
-                                 << QString();
-}
-
-void TestNumberFormat::decimalsBesideANumberEqualItAreNearItOrSayNothing()
-{
-    QFETCH(const Quantity, quantity);
-    QFETCH(const Arithmetic, arithmetic);
-    QTEST(decimalBeside(quantity, arithmetic), "expected");
-}
-
-void TestNumberFormat::errorsCarryTheirSign_data()
-{
-    QTest::addColumn<Quantity>("used");
-    QTest::addColumn<Quantity>("exact");
-    QTest::addColumn<QString>("expected");
-    QTest::newRow("equal") << Quantity::of(0.5) << Quantity::rational(1, 2) << QStringLiteral("0");
-    QTest::newRow("above") << Quantity::of(0.75) << Quantity::rational(1, 2)
-                           << QStringLiteral("+2.5e−01");
-    QTest::newRow("below") << Quantity::of(0.25F) << Quantity::rational(1, 2)
-                           << QStringLiteral("−2.5e−01");
-    QTest::newRow("a row too many")
-        << Quantity::integer(7) << Quantity::integer(6) << QStringLiteral("+1");
-    QTest::newRow("two rows too few")
-        << Quantity::integer(4) << Quantity::integer(6) << QStringLiteral("−2");
-    QTest::newRow("nothing to compare") << Quantity::of(0.5) << Quantity() << QString();
-}
-
-void TestNumberFormat::errorsCarryTheirSign()
-{
-    QFETCH(const Quantity, used);
-    QFETCH(const Quantity, exact);
-    QTEST(displayError(used, exact), "expected");
-}
-
-void TestNumberFormat::findsTheFirstDigitThatDiffers_data()
-{
-    QTest::addColumn<QString>("used");
-    QTest::addColumn<QString>("exactDecimal");
-    QTest::addColumn<int>("expected");
-    QTest::newRow("last digit") << "17.129631"
-                                << "17.129629…" << 7;
-    QTest::newRow("a prefix agrees") << "17.1296"
-                                     << "17.129629…" << -1;
-    QTest::newRow("beyond what is known") << "17.1296291"
-                                          << "17.129629…" << -1;
-    QTest::newRow("zeros go on") << "5.0000005"
-                                 << "5.000000" << 8;
-    QTest::newRow("equal integers") << "5"
-                                    << "5.000000" << -1;
-    QTest::newRow("whole differs") << "4.9999995"
-                                   << "5.000000" << 0;
-    QTest::newRow("sign differs") << "−0.1"
-                                  << "0.1" << 0;
-}
-
-void TestNumberFormat::findsTheFirstDigitThatDiffers()
-{
-    QFETCH(const QString, used);
-    QFETCH(const QString, exactDecimal);
-    QTEST(firstDifferingDigit(used, exactDecimal), "expected");
-}
-
-void TestNumberFormat::takesNumbersApartWhereColumnsAlignThem_data()
-{
-    QTest::addColumn<Quantity>("quantity");
-    QTest::addColumn<QStringList>("expected"); // whole, numerator, denominator, decimals
-    QTest::newRow("mixed") << Quantity::rational(-7, 3) << QStringList{"−2", "1", "3", ""};
-    QTest::newRow("fraction") << Quantity::rational(3, 8) << QStringList{"", "3", "8", ""};
-    QTest::newRow("negative fraction")
-        << Quantity::rational(-3, 8) << QStringList{"−", "3", "8", ""};
-    QTest::newRow("decimal") << Quantity::of(-2.5) << QStringList{"−2", "", "", ".5"};
-    QTest::newRow("integer") << Quantity::integer(12) << QStringList{"12", "", "", ""};
-}
-
-void TestNumberFormat::takesNumbersApartWhereColumnsAlignThem()
-{
-    QFETCH(const Quantity, quantity);
-    const NumberParts parts = partsOf(displayText(quantity));
-    QTEST((QStringList{parts.whole, parts.numerator, parts.denominator, parts.decimals}),
-          "expected");
-}
-
-void TestNumberFormat::lowersWhatFollowsAnUnderscore_data()
-{
-    QTest::addColumn<QString>("text");
-    QTest::addColumn<QString>("expected");
-    QTest::newRow("letter") << QStringLiteral("⌈y_B⌉") << QStringLiteral("⌈y<sub>B</sub>⌉");
-    QTest::newRow("word") << QStringLiteral("x − x_start")
-                          << QStringLiteral("x − x<sub>start</sub>");
-    QTest::newRow("nothing to lower") << QStringLiteral("a_ < b") << QStringLiteral("a_ &lt; b");
-}
-
-void TestNumberFormat::lowersWhatFollowsAnUnderscore()
-{
-    QFETCH(const QString, text);
-    QTEST(SymbolText(text).html(), "expected");
-}
-
-void TestNumberFormat::toolTipsSetTheSubscriptsOfEveryNumber()
-{
-    static const QRegularExpression lowered(QStringLiteral("_[\\p{L}\\p{N}]+"));
-    int subscripts = 0;
-    for (const Method &method : methods()) {
-        for (const auto &numbers :
-             {method.numbers.setUp, method.numbers.span, method.numbers.sample}) {
-            for (const NumberDescription &number : numbers) {
-                const QString written = number.toolTip + number.formula;
-                const QString shown = numberToolTip(number);
-                QVERIFY2(!shown.contains(lowered), qPrintable(shown));
-                QCOMPARE(shown.count(QStringLiteral("<sub>")), written.count(lowered));
-                subscripts += int(written.count(lowered));
+    void toolTipsSetTheSubscriptsOfEveryNumber()
+    {
+        static const QRegularExpression lowered(QStringLiteral("_[\\p{L}\\p{N}]+"));
+        int subscripts = 0;
+        for (const Method &method : methods()) {
+            for (const auto &numbers :
+                 {method.numbers.setUp, method.numbers.span, method.numbers.sample}) {
+                for (const NumberDescription &number : numbers) {
+                    const QString written = number.toolTip + number.formula;
+                    const QString shown = numberToolTip(number);
+                    QVERIFY2(!shown.contains(lowered), qPrintable(shown));
+                    QCOMPARE(shown.count(QStringLiteral("<sub>")), written.count(lowered));
+                    subscripts += int(written.count(lowered));
+                }
             }
         }
+        QVERIFY(subscripts > 100);
     }
-    QVERIFY(subscripts > 100);
-}
+
+    void errorsCarryTheirSign_data()
+    {
+        QTest::addColumn<Quantity>("used");
+        QTest::addColumn<Quantity>("exact");
+        QTest::addColumn<QString>("expected");
+        QTest::newRow("equal") << Quantity::of(0.5) << Quantity::rational(1, 2)
+                               << QStringLiteral("0");
+        QTest::newRow("above") << Quantity::of(0.75) << Quantity::rational(1, 2)
+                               << QStringLiteral("+2.5e−01");
+        QTest::newRow("below") << Quantity::of(0.25F) << Quantity::rational(1, 2)
+                               << QStringLiteral("−2.5e−01");
+        QTest::newRow("a row too many")
+            << Quantity::integer(7) << Quantity::integer(6) << QStringLiteral("+1");
+        QTest::newRow("two rows too few")
+            << Quantity::integer(4) << Quantity::integer(6) << QStringLiteral("−2");
+        QTest::newRow("nothing to compare") << Quantity::of(0.5) << Quantity() << QString();
+    }
+    void errorsCarryTheirSign()
+    {
+        QFETCH(const Quantity, used);
+        QFETCH(const Quantity, exact);
+        QTEST(displayError(used, exact), "expected");
+    }
+
+    void findsTheFirstDigitThatDiffers_data()
+    {
+        QTest::addColumn<QString>("used");
+        QTest::addColumn<QString>("exactDecimal");
+        QTest::addColumn<int>("expected");
+        QTest::newRow("last digit") << "17.129631"
+                                    << "17.129629…" << 7;
+        QTest::newRow("a prefix agrees") << "17.1296"
+                                         << "17.129629…" << -1;
+        QTest::newRow("beyond what is known") << "17.1296291"
+                                              << "17.129629…" << -1;
+        QTest::newRow("zeros go on") << "5.0000005"
+                                     << "5.000000" << 8;
+        QTest::newRow("equal integers") << "5"
+                                        << "5.000000" << -1;
+        QTest::newRow("whole differs") << "4.9999995"
+                                       << "5.000000" << 0;
+        QTest::newRow("sign differs") << "−0.1"
+                                      << "0.1" << 0;
+    }
+    void findsTheFirstDigitThatDiffers()
+    {
+        QFETCH(const QString, used);
+        QFETCH(const QString, exactDecimal);
+        QTEST(firstDifferingDigit(used, exactDecimal), "expected");
+    }
+
+    void takesNumbersApartWhereColumnsAlignThem_data()
+    {
+        QTest::addColumn<Quantity>("quantity");
+        QTest::addColumn<QStringList>("expected"); // whole, numerator, denominator, decimals
+        QTest::newRow("mixed") << Quantity::rational(-7, 3) << QStringList{"−2", "1", "3", ""};
+        QTest::newRow("fraction") << Quantity::rational(3, 8) << QStringList{"", "3", "8", ""};
+        QTest::newRow("negative fraction")
+            << Quantity::rational(-3, 8) << QStringList{"−", "3", "8", ""};
+        QTest::newRow("decimal") << Quantity::of(-2.5) << QStringList{"−2", "", "", ".5"};
+        QTest::newRow("integer") << Quantity::integer(12) << QStringList{"12", "", "", ""};
+    }
+    void takesNumbersApartWhereColumnsAlignThem()
+    {
+        QFETCH(const Quantity, quantity);
+        const NumberParts parts = partsOf(displayText(quantity));
+        QTEST((QStringList{parts.whole, parts.numerator, parts.denominator, parts.decimals}),
+              "expected");
+    }
+
+    void lowersWhatFollowsAnUnderscore_data()
+    {
+        QTest::addColumn<QString>("text");
+        QTest::addColumn<QString>("expected");
+        QTest::newRow("letter") << QStringLiteral("⌈y_B⌉") << QStringLiteral("⌈y<sub>B</sub>⌉");
+        QTest::newRow("word") << QStringLiteral("x − x_start")
+                              << QStringLiteral("x − x<sub>start</sub>");
+        QTest::newRow("nothing to lower")
+            << QStringLiteral("a_ < b") << QStringLiteral("a_ &lt; b");
+    }
+    void lowersWhatFollowsAnUnderscore()
+    {
+        QFETCH(const QString, text);
+        QTEST(SymbolText(text).html(), "expected");
+    }
+};
 
 PIXELPLUMB_TEST(TestNumberFormat)
 

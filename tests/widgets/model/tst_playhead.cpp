@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/support/scanning.h"
 #include "tests/support/testprogram.h"
-#include "widgets/model/playhead.h"
+#include "tests/support/tracedplayhead.h"
 
 #include <QSignalSpy>
 #include <QTest>
@@ -40,8 +40,7 @@ private slots:
     void stepsForwardAndBackwardUndoEachOtherAtEveryPosition()
     {
         QFETCH(StepUnit, unit);
-        Playhead playhead;
-        playhead.setTraced(traced());
+        TracedPlayhead playhead(traced());
         std::vector<std::size_t> wrong;
         for (std::size_t position = 0; position <= playhead.end(); ++position) {
             playhead.seek(position);
@@ -67,8 +66,7 @@ private slots:
     void aWalkAllTheWayAndBackPassesTheSameStops()
     {
         QFETCH(StepUnit, unit);
-        Playhead playhead;
-        playhead.setTraced(traced());
+        TracedPlayhead playhead(traced());
         std::vector<std::size_t> stops{0};
         while (playhead.position() < playhead.end()) {
             playhead.step(unit, forward);
@@ -86,8 +84,7 @@ private slots:
 
     void columnStepsStopJustAfterEachColumnWasEntered()
     {
-        Playhead playhead;
-        playhead.setTraced(traced());
+        TracedPlayhead playhead(traced());
         const ScanTrace &trace = *playhead.traced()->trace;
         std::vector<std::size_t> expected;
         for (std::size_t column = 0; column < trace.spanCount(); ++column)
@@ -107,8 +104,7 @@ private slots:
 
     void theFrameStandsAsItStoodAtTheStep()
     {
-        Playhead playhead;
-        playhead.setTraced(traced());
+        TracedPlayhead playhead(traced());
         std::vector<QImage> pictures;
         for (std::size_t position = 0; position <= playhead.end(); ++position) {
             playhead.seek(position);
@@ -123,8 +119,7 @@ private slots:
 
     void tellsOfAMoveExactlyOnce()
     {
-        Playhead playhead;
-        playhead.setTraced(traced());
+        TracedPlayhead playhead(traced());
         const QSignalSpy moves(&playhead, &Playhead::positionChanged);
 
         playhead.step(StepUnit::Span, forward);
@@ -138,8 +133,7 @@ private slots:
 
     void aStepPicksItsPixelAndAPickDoesNotMoveTime()
     {
-        Playhead playhead;
-        playhead.setTraced(traced());
+        TracedPlayhead playhead(traced());
         while (!playhead.currentPixel())
             playhead.step(StepUnit::Sample, forward);
         QCOMPARE(playhead.pickedPixel(), playhead.currentPixel());
@@ -153,8 +147,7 @@ private slots:
 
     void runsToTheNextBreakpointInEitherDirection()
     {
-        Playhead playhead;
-        playhead.setTraced(traced());
+        TracedPlayhead playhead(traced());
         playhead.toggleSpanBreakpoint({SpanAxis::Column, 6, 0});
         playhead.togglePixelBreakpoint({4, 5});
         std::vector<std::size_t> stops;
@@ -181,8 +174,7 @@ private slots:
 
     void runsToTheStepsThatWriteThePickedPixel()
     {
-        Playhead playhead;
-        playhead.setTraced(traced());
+        TracedPlayhead playhead(traced());
         playhead.pick({5, 3}); // in the first and the third triangle
         playhead.runToPickedPixel(forward);
         const std::size_t first = playhead.position();
@@ -201,8 +193,7 @@ private slots:
 
     void keepsColumnAndPixelWhenASceneIsTracedAnew()
     {
-        Playhead playhead;
-        playhead.setTraced(traced(FillRule::HalfOpenColumn));
+        TracedPlayhead playhead(traced(FillRule::HalfOpenColumn));
         playhead.pick({5, 3});
         playhead.runToPickedPixel(forward);
 
@@ -214,8 +205,7 @@ private slots:
 
     void anAddedTriangleIsShownFinished()
     {
-        Playhead playhead;
-        playhead.setTraced(traced());
+        TracedPlayhead playhead(traced());
         playhead.seek(3);
         Scene scene = playhead.traced()->scene;
         scene.triangles.push_back(triangleAt(15, 1, 20, 1, 18, 12));
@@ -227,8 +217,7 @@ private slots:
 
     void playingStopsAtABreakpointAndAtTheEnd()
     {
-        Playhead playhead;
-        playhead.setTraced(traced());
+        TracedPlayhead playhead(traced());
         playhead.toggleSpanBreakpoint({SpanAxis::Column, 6, 0});
         playhead.setStepsPerSecond(Playhead::fastest);
         playhead.setPlaying(true);

@@ -36,14 +36,24 @@ Scene spaceScene()
     return scene;
 }
 
-/// Waits until the panel has projected the scene.
-void open(ProjectionPanel &panel, Playhead &playhead, const Scene &scene)
-{
-    panel.show();
-    QSignalSpy spy(&panel, &ProjectionPanel::projected);
-    playhead.setTraced(traceScene(scene));
-    QVERIFY(spy.count() > 0 || spy.wait(longest));
-}
+/// A panel that has projected a scene.
+struct Bench {
+    explicit Bench(const Scene &scene = spaceScene())
+    {
+        panel.show();
+        QSignalSpy spy(&panel, &ProjectionPanel::projected);
+        playhead.setTraced(traceScene(scene));
+        if (spy.count() == 0 && !spy.wait(longest))
+            qFatal("not projected");
+    }
+
+    QString sentence() const { return named<QLabel>(panel, "projectionSentence")->text(); }
+
+    Playhead playhead;
+    SceneDocument document;
+    ProjectionPanel panel{&document, &playhead};
+    const StageTree *tree = named<StageTree>(panel, "stageTree");
+};
 
 /// The step that writes a primitive's first sample, or its set-up.
 std::size_t positionIn(const Playhead &playhead, std::size_t primitive)
@@ -90,56 +100,47 @@ class TestProjectionDock : public QObject {
 private slots:
     void followsTheStepThroughTheSolidsTriangles()
     {
-        Playhead playhead;
-        SceneDocument document;
-        ProjectionPanel panel(&document, &playhead);
-        open(panel, playhead, spaceScene());
-        const auto *sentence = named<QLabel>(panel, "projectionSentence");
-        const auto *tree = named<StageTree>(panel, "stageTree");
+        Bench bench;
 
-        playhead.seek(positionIn(playhead, 0));
-        QVERIFY2(sentence->text().startsWith(QStringLiteral("The scene's solids become")),
-                 qPrintable(sentence->text()));
-        QCOMPARE(tree->topLevelItemCount(), 0);
+        bench.playhead.seek(positionIn(bench.playhead, 0));
+        QVERIFY2(bench.sentence().startsWith(QStringLiteral("The scene's solids become")),
+                 qPrintable(bench.sentence()));
+        QCOMPARE(bench.tree->topLevelItemCount(), 0);
 
-        playhead.seek(positionIn(playhead, 1));
-        QVERIFY2(sentence->text().contains(QStringLiteral("C₀ C₁ C₂ of face 0 of solid 0")),
-                 qPrintable(sentence->text()));
-        QCOMPARE(tree->topLevelItemCount(), 7);
+        bench.playhead.seek(positionIn(bench.playhead, 1));
+        QVERIFY2(bench.sentence().contains(QStringLiteral("C₀ C₁ C₂ of face 0 of solid 0")),
+                 qPrintable(bench.sentence()));
+        QCOMPARE(bench.tree->topLevelItemCount(), 7);
 
-        playhead.seek(positionIn(playhead, 2));
-        QVERIFY2(sentence->text().contains(QStringLiteral("C₀ C₂ C₃ of face 0 of solid 0")),
-                 qPrintable(sentence->text()));
+        bench.playhead.seek(positionIn(bench.playhead, 2));
+        QVERIFY2(bench.sentence().contains(QStringLiteral("C₀ C₂ C₃ of face 0 of solid 0")),
+                 qPrintable(bench.sentence()));
 
-        playhead.seek(positionIn(playhead, 20));
-        QVERIFY2(sentence->text().contains(QStringLiteral("of solid 1, a sphere")),
-                 qPrintable(sentence->text()));
+        bench.playhead.seek(positionIn(bench.playhead, 20));
+        QVERIFY2(bench.sentence().contains(QStringLiteral("of solid 1, a sphere")),
+                 qPrintable(bench.sentence()));
     }
 
     void showsTheEdgesThatTheNearPlaneCutsAndTheSnapsDisplacement()
     {
-        Playhead playhead;
-        SceneDocument document;
-        ProjectionPanel panel(&document, &playhead);
-        open(panel, playhead, spaceScene());
-        playhead.seek(positionIn(playhead, 1));
-        const auto *tree = named<StageTree>(panel, "stageTree");
+        Bench bench;
+        bench.playhead.seek(positionIn(bench.playhead, 1));
 
-        QCOMPARE(notesOf(*tree, QStringLiteral("Clipped polygon")),
+        QCOMPARE(notesOf(*bench.tree, QStringLiteral("Clipped polygon")),
                  (QStringList{QStringLiteral("C₀: V₀, kept"), QStringLiteral("C₁: V₁, kept"),
                               QStringLiteral("C₂: the near plane cuts V₁V₂"),
                               QStringLiteral("C₃: the near plane cuts V₀V₂")}));
         // Depths 3 and −0.5: t = 2/3.5.
-        QVERIFY(cell(*tree, QStringLiteral("Clipped polygon"), 2, 0, StageTree::ExactColumn)
+        QVERIFY(cell(*bench.tree, QStringLiteral("Clipped polygon"), 2, 0, StageTree::ExactColumn)
                     .startsWith(QStringLiteral("0.57142857142857142857")));
-        const Triangle &drawn = playhead.traced()->primitives.triangles[1];
+        const Triangle &drawn = bench.playhead.traced()->primitives.triangles[1];
         const double x = double(drawn.vertices[0].position.x) / 256;
-        QCOMPARE(cell(*tree, QStringLiteral("Lattice"), 0, 0, StageTree::UsedColumn)
+        QCOMPARE(cell(*bench.tree, QStringLiteral("Lattice"), 0, 0, StageTree::UsedColumn)
                      .replace(QChar(0x2212), u'-')
                      .toDouble(),
                  x);
         const double displacement
-            = cell(*tree, QStringLiteral("Lattice"), 0, 0, StageTree::ErrorColumn)
+            = cell(*bench.tree, QStringLiteral("Lattice"), 0, 0, StageTree::ErrorColumn)
                   .replace(QChar(0x2212), u'-')
                   .toDouble();
         QVERIFY(displacement != 0 && std::abs(displacement) <= 1.0 / 512);
@@ -147,45 +148,33 @@ private slots:
 
     void whatIsFoldedStaysFolded()
     {
-        Playhead playhead;
-        SceneDocument document;
-        ProjectionPanel panel(&document, &playhead);
-        open(panel, playhead, spaceScene());
-        playhead.seek(positionIn(playhead, 1));
-        const auto *tree = named<StageTree>(panel, "stageTree");
-        stageItem(*tree, QStringLiteral("Camera"))->setExpanded(false);
+        Bench bench;
+        bench.playhead.seek(positionIn(bench.playhead, 1));
+        stageItem(*bench.tree, QStringLiteral("Camera"))->setExpanded(false);
 
-        playhead.seek(positionIn(playhead, 20));
+        bench.playhead.seek(positionIn(bench.playhead, 20));
 
-        QVERIFY(!stageItem(*tree, QStringLiteral("Camera"))->isExpanded());
-        QVERIFY(stageItem(*tree, QStringLiteral("Division"))->isExpanded());
+        QVERIFY(!stageItem(*bench.tree, QStringLiteral("Camera"))->isExpanded());
+        QVERIFY(stageItem(*bench.tree, QStringLiteral("Division"))->isExpanded());
     }
 
     void saysWhatItWouldShowWhereThereAreNoSolids()
     {
-        Playhead playhead;
-        SceneDocument document;
-        ProjectionPanel panel(&document, &playhead);
         Scene scene;
         scene.triangles = {triangleAt(3, 4, 50, 10, 20, 40)};
-        open(panel, playhead, scene);
+        const Bench bench(scene);
 
-        QVERIFY(named<QLabel>(panel, "projectionSentence")
-                    ->text()
-                    .startsWith(QStringLiteral("This scene has no solids.")));
-        QVERIFY(!named<SideView>(panel, "sideView")->isVisible());
+        QVERIFY(bench.sentence().startsWith(QStringLiteral("This scene has no solids.")));
+        QVERIFY(!named<SideView>(bench.panel, "sideView")->isVisible());
     }
 
     void tellsWhyFacesAreNotDrawn()
     {
-        Playhead playhead;
-        SceneDocument document;
-        ProjectionPanel panel(&document, &playhead);
         Scene scene = spaceScene();
         scene.solids.push_back(triangle3({0, 0, 6}, {1, 0, 7}, {0, 1, 8}));
-        open(panel, playhead, scene);
+        const Bench bench(scene);
 
-        const QString text = named<QLabel>(panel, "projectionSentence")->text();
+        const QString text = bench.sentence();
         QVERIFY2(text.contains(QStringLiteral("1: each has no part beyond the near plane")),
                  qPrintable(text));
     }

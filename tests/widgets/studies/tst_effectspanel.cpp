@@ -65,6 +65,20 @@ struct Bench {
     EffectsPanel panel;
 };
 
+/// A visible panel that has planned.
+struct PlannedBench : Bench {
+    explicit PlannedBench(const Scene &scene = overlapping())
+        : Bench(scene)
+        , spy(&panel, &EffectsPanel::planned)
+    {
+        panel.show();
+        if (!spy.wait(longest))
+            qFatal("no plan");
+    }
+
+    QSignalSpy spy;
+};
+
 void choose(const Bench &bench, const char *name, int index)
 {
     auto *box = named<QComboBox>(bench.panel, name);
@@ -90,13 +104,9 @@ private slots:
         QVERIFY(bench.panel.plan());
     }
 
-    void showsVerdictsWithReasons()
+    void showsVerdictsWithReasonsAndFollowsEdits()
     {
-        Bench bench(overlapping());
-        QSignalSpy spy(&bench.panel, &EffectsPanel::planned);
-        bench.panel.show();
-        QVERIFY(spy.wait(longest));
-
+        PlannedBench bench;
         QCOMPARE(bench.cell(Effect::Depth, 1), QStringLiteral("● called for"));
         QCOMPARE(bench.cell(Effect::Depth, 3), QStringLiteral("2"));
         QVERIFY2(bench.cell(Effect::Depth, 8).contains(QStringLiteral("triangle 1 lies behind")),
@@ -104,6 +114,10 @@ private slots:
         QCOMPARE(bench.cell(Effect::Blending, 1), QStringLiteral("○ not called for"));
         QCOMPARE(bench.cell(Effect::Blending, 8), QStringLiteral("every alpha is 255: opaque"));
         QVERIFY(bench.summary().isEmpty());
+
+        bench.document.deletePrimitive(1);
+        QVERIFY(bench.spy.wait(longest));
+        QCOMPARE(bench.cell(Effect::Depth, 1), QStringLiteral("○ not called for"));
     }
 
     void theSceneIsGivenTheAntialiasingThatIsChosen()
@@ -120,28 +134,11 @@ private slots:
         QCOMPARE(box->currentText(), QStringLiteral("exact area"));
     }
 
-    void followsEdits()
-    {
-        Bench bench(overlapping());
-        QSignalSpy spy(&bench.panel, &EffectsPanel::planned);
-        bench.panel.show();
-        QVERIFY(spy.wait(longest));
-
-        bench.document.deletePrimitive(1);
-        QVERIFY(spy.wait(longest));
-
-        QCOMPARE(bench.cell(Effect::Depth, 1), QStringLiteral("○ not called for"));
-    }
-
     void aSwitchTellsWhatChanges()
     {
-        Bench bench(overlapping());
-        QSignalSpy spy(&bench.panel, &EffectsPanel::planned);
-        bench.panel.show();
-        QVERIFY(spy.wait(longest));
-
+        PlannedBench bench;
         choose(bench, "depth-switch", int(Forcing::Off));
-        QVERIFY(spy.wait(longest));
+        QVERIFY(bench.spy.wait(longest));
 
         QCOMPARE(int(bench.switches.forced()[Effect::Depth]), int(Forcing::Off));
         QVERIFY2(bench.summary().startsWith(QStringLiteral("Forced: depth off; ")),
@@ -152,7 +149,7 @@ private slots:
         QCOMPARE(bench.document.undoStack()->count(), 0);
 
         choose(bench, "depth-switch", int(Forcing::AsCalledFor));
-        QVERIFY(spy.wait(longest));
+        QVERIFY(bench.spy.wait(longest));
         QVERIFY(bench.summary().isEmpty());
     }
 
@@ -166,13 +163,9 @@ private slots:
     void aNeutralEffectThatIsForcedOnChangesNothing()
     {
         QFETCH(QByteArray, box);
-        Bench bench(overlapping());
-        QSignalSpy spy(&bench.panel, &EffectsPanel::planned);
-        bench.panel.show();
-        QVERIFY(spy.wait(longest));
-
+        PlannedBench bench;
         choose(bench, box, int(Forcing::On));
-        QVERIFY(spy.wait(longest));
+        QVERIFY(bench.spy.wait(longest));
 
         QVERIFY2(bench.summary().endsWith(QStringLiteral("on; no pixel changes.")),
                  qPrintable(bench.summary()));
@@ -231,11 +224,7 @@ private slots:
 
     void aCancelledMeasurementShowsNothing()
     {
-        Bench bench(overlapping());
-        QSignalSpy planned(&bench.panel, &EffectsPanel::planned);
-        bench.panel.show();
-        QVERIFY(planned.wait(longest));
-
+        PlannedBench bench;
         bench.panel.measure();
         QVERIFY(named<QPushButton>(bench.panel, "effectsCancel")->isEnabled());
         bench.panel.cancel();
@@ -248,11 +237,7 @@ private slots:
     {
         Scene scene = overlapping();
         scene.method = "row-walk";
-        Bench bench(scene);
-        QSignalSpy spy(&bench.panel, &EffectsPanel::planned);
-        bench.panel.show();
-        QVERIFY(spy.wait(longest));
-
+        PlannedBench bench(scene);
         QVERIFY2(bench.summary().contains(QStringLiteral("cannot do depth")),
                  qPrintable(bench.summary()));
         QVERIFY(bench.summary().contains(QStringLiteral("“Plane equation”")));

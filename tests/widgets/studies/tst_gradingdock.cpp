@@ -20,11 +20,9 @@
 #include <QApplication>
 #include <QComboBox>
 #include <QDockWidget>
-#include <QDragEnterEvent>
 #include <QFile>
 #include <QLabel>
 #include <QLineEdit>
-#include <QMimeData>
 #include <QPlainTextEdit>
 #include <QProgressBar>
 #include <QScrollBar>
@@ -39,22 +37,6 @@
 namespace tst_gradingdock {
 
 using namespace pixelplumb;
-
-namespace {
-
-void drop(MainWindow &window, const QString &path)
-{
-    QMimeData data;
-    data.setUrls({QUrl::fromLocalFile(path)});
-    const QPoint place = window.rect().center();
-    QDragEnterEvent enter(place, Qt::CopyAction, &data, Qt::LeftButton, {});
-    QApplication::sendEvent(&window, &enter);
-    QVERIFY(enter.isAccepted());
-    QDropEvent dropped(place, Qt::CopyAction, &data, Qt::LeftButton, {});
-    QApplication::sendEvent(&window, &dropped);
-}
-
-} // namespace
 
 /// The assistant's bench, used as an assistant does.
 class TestGradingDock : public QObject {
@@ -110,7 +92,7 @@ private slots:
         QVERIFY(QTest::qWaitForWindowExposed(window.get()));
 
         if (isDropped)
-            drop(*window, classroom.results());
+            dropFile(*window, classroom.results());
 
         QTRY_COMPARE_WITH_TIMEOUT(table(*window)->model()->rowCount(), 3, longestWait);
         QTRY_VERIFY_WITH_TIMEOUT(
@@ -119,26 +101,6 @@ private slots:
         QTRY_COMPARE_WITH_TIMEOUT(window->focusWidget(), table(*window), longestWait);
         QTest::keyClick(window->focusWidget(), Qt::Key_J);
         QTRY_COMPARE_WITH_TIMEOUT(window->parts().student->name(), "ada · small", longestWait);
-    }
-
-    void transparencyIsIgnoredAndThatIsSaid()
-    {
-        const Classroom classroom;
-        QImage clear = drawn(smallScene()).convertToFormat(QImage::Format_ARGB32);
-        clear.setPixel(0, 0, 0); // the background colour, but transparent
-        QVERIFY(clear.save(classroom.submissions() + "/ada/small.png"));
-        const auto assignment = readAssignmentFile(classroom.assignmentFile());
-        QVERIFY(gradeFolder({classroom.submissions(), classroom.results(), "1"}, *assignment));
-        const auto window = windowWithDock();
-        book(*window).open(classroom.results());
-        QTRY_COMPARE_WITH_TIMEOUT(table(*window)->model()->rowCount(), 3, longestWait);
-        table(*window)->setFocus();
-
-        for (const bool isTransparent : {true, false}) {
-            press(*window, Qt::Key_J);
-            const QString told = named<QLabel>(*window, "gradingSentences")->text();
-            QCOMPARE(told.contains("the picture has transparent pixels"), isTransparent);
-        }
     }
 
     void whatRanInNoSandboxIsTold()
@@ -259,18 +221,6 @@ private slots:
         QVERIFY(seen("submissionPicture").height() >= 6 * line);
     }
 
-    void aClickOpensThePicture()
-    {
-        const Classroom classroom;
-        const auto window = windowWithGrades(classroom);
-        const QModelIndex row = table(*window)->model()->index(2, 0);
-
-        QTest::mouseClick(table(*window)->viewport(), Qt::LeftButton, {},
-                          table(*window)->visualRect(row).center());
-
-        QTRY_COMPARE_WITH_TIMEOUT(window->parts().student->name(), "cyd · small", longestWait);
-    }
-
     void acceptedStaysAccepted()
     {
         const Classroom classroom;
@@ -289,7 +239,7 @@ private slots:
         QCOMPARE(cell(*window, 0, GradeColumn::State), QString());
     }
 
-    void aCommentIsKeptWhenTheRowIsLeft()
+    void aCommentIsKeptWhenTheRowIsLeftAndStandsInTheReports()
     {
         const Classroom classroom;
         const auto window = windowWithGrades(classroom);
@@ -305,6 +255,12 @@ private slots:
         QCOMPARE(comment->toPlainText(), QString());
         QCOMPARE(cell(*window, 0, GradeColumn::Comment), "well done");
         QTRY_COMPARE_WITH_TIMEOUT(keptReview(classroom, 0).comment, "well done", longestWait);
+
+        QTest::mouseClick(named<QToolButton>(*window, "gradingReports"), Qt::LeftButton);
+        QTRY_VERIFY_WITH_TIMEOUT(!book(*window).job().isRunning(), longestWait);
+        QFile results(classroom.results() + "/results.json");
+        QVERIFY(results.open(QIODevice::ReadOnly));
+        QVERIFY(results.readAll().contains("well done"));
     }
 
     void pointsAreChangedWithAReasonAlone()
@@ -415,21 +371,6 @@ private slots:
                                   longestWait);
         QCOMPARE(keptReview(classroom, 2).comment, "round, do not cut");
         QCOMPARE(keptReview(classroom, 0).comment, QString());
-    }
-
-    void reportsAreWrittenWithTheComments()
-    {
-        const Classroom classroom;
-        const auto window = windowWithGrades(classroom);
-        press(*window, Qt::Key_J);
-        named<QPlainTextEdit>(*window, "gradingComment")->setPlainText("well done");
-
-        QTest::mouseClick(named<QToolButton>(*window, "gradingReports"), Qt::LeftButton);
-
-        QTRY_VERIFY_WITH_TIMEOUT(!book(*window).job().isRunning(), longestWait);
-        QFile results(classroom.results() + "/results.json");
-        QVERIFY(results.open(QIODevice::ReadOnly));
-        QVERIFY(results.readAll().contains("well done"));
     }
 
     void theTableIsFiltered()

@@ -41,8 +41,7 @@ class TestPerformanceDock : public QObject {
     Q_OBJECT
 
 private slots:
-
-    void measuresWhenAskedTo()
+    void measuresWhenAskedToAndForgetsItForAnotherScene()
     {
         Playhead playhead;
         PerformancePanel panel(&playhead);
@@ -63,16 +62,7 @@ private slots:
         QVERIFY(panel.timing()->rounds > 0);
         const QString routes = named<QLabel>(panel, "performanceRoutes")->text();
         QVERIFY2(routes.contains(QStringLiteral("strips of ")), qPrintable(routes));
-    }
 
-    void forgetsTheMeasurementOfAnotherScene()
-    {
-        Playhead playhead;
-        playhead.setTraced(traceScene(twoTriangles()));
-        PerformancePanel panel(&playhead);
-        QSignalSpy spy(&panel, &PerformancePanel::measured);
-        panel.measure();
-        QVERIFY(spy.wait(longest));
         playhead.setTraced(traceScene(sceneOf({triangleAt(3, 4, 50, 20, 6, 110)})));
         QVERIFY(!panel.timing());
     }

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/support/isolatedsettings.h"
-#include "tests/support/sourcetree.h"
 #include "tests/support/testprogram.h"
 #include "tests/support/window/openwindow.h"
 #include "widgets/canvas/canvas.h"
@@ -8,14 +7,12 @@
 #include "widgets/model/scenedocument.h"
 
 #include <QApplication>
-#include <QFile>
 #include <QImage>
 #include <QLabel>
 #include <QLineEdit>
 #include <QPointer>
 #include <QTemporaryDir>
 #include <QTest>
-#include <QTextBrowser>
 #include <QTimer>
 
 namespace tst_keyboardassignment {
@@ -144,21 +141,6 @@ private slots:
         QCOMPARE(picture.size(),
                  QSize(playhead.frame()->spec().width, playhead.frame()->spec().height));
         QVERIFY(picture.pixelColor(6, picture.height() - 1 - 9) != QColor(Qt::black));
-    }
-
-    void theKeysThatDrawStandInTheKeySheetAndTheManual()
-    {
-        const auto window = openedWindow();
-        action(*window, "showKeys")->trigger();
-        const auto *sheet = named<QTextBrowser>(*window, "keySheetText");
-        QVERIFY(sheet);
-        const QString keys = sheet->toPlainText();
-        for (const char *told : {"Enter, Ins", "Place a vertex at the picked pixel", "Ctrl+G",
-                                 "Ctrl+arrows", "Select the previous, the next vertex"})
-            QVERIFY2(keys.contains(QLatin1String(told)), told);
-        QFile manual(resource("/man/pixelplumb.1"));
-        QVERIFY(manual.open(QIODevice::ReadOnly));
-        QVERIFY(manual.readAll().contains("place a vertex at the picked pixel"));
     }
 
     void theKeysOfTheCanvasAreForTheSceneThatHasCome_data()
