@@ -93,13 +93,11 @@ InputError OutputFile::error(const QString &otherwise) const
 
 InputError writingError(const QString &place, const QFileDevice &device, const QString &otherwise)
 {
-    QString why = otherwise;
-    if (device.error() != QFileDevice::NoError
-        && device.errorString() != QIODevice::tr("Unknown error"))
-        why = device.errorString();
-    // When a disk takes only part of a write, Qt reports no error or does not know it; writing one
-    // more byte reveals it.
-    if (why.isEmpty() && device.handle() >= 0 && ::write(device.handle(), "", 1) < 0)
+    QString why = device.error() != QFileDevice::NoError ? device.errorString() : otherwise;
+    // When a disk takes only part of a write, Qt does not know why, or reports no error at all;
+    // writing one more byte reveals it.
+    if ((device.error() != QFileDevice::NoError || why.isEmpty()) && device.handle() >= 0
+        && ::write(device.handle(), "", 1) < 0)
         why = qt_error_string(errno);
     return {place,
             QStringLiteral("cannot be written")

@@ -54,7 +54,7 @@ private slots:
         const QPoint written(24, 20);
         const auto colourShown = [&] {
             const QImage image = grid.grab().toImage();
-            const QRect cell = grid.mapping().cellOf(written).toRect();
+            const QRect cell = grid.mapping().deviceCellOf(written);
             return image.pixel(cell.right() - 1,
                                cell.bottom() - 1); // away from value, dot and signs
         };
