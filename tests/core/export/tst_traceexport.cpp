@@ -127,7 +127,8 @@ private slots:
         for (const char *pattern :
              {"^\\d+,1,Vertex,V₁,1,1,0,x,,$", "Camera,the camera,1,1,0,near,,$",
               "Clip coordinates,V₀,3,3,0,w = −z_view,−\\(−3\\),",
-              "Clipped polygon,C₃,0\\.(8|7999)\\d*,0\\.8,.*,t = z_clip_V₀/\\(z_clip_V₀ − z_clip_V₂\\),.*,the near "
+              "Clipped polygon,C₃,0\\.(8|7999)\\d*,0\\.8,.*,t = z_clip_V₀/\\(z_clip_V₀ − "
+              "z_clip_V₂\\),.*,the near "
               "plane cuts V₀V₂$",
               "^\\d+,2,Lattice,C₃,.*,x = ⌊256·x′ \\+ ½⌋/256,"})
             QVERIFY2(has(pattern), pattern);
