@@ -210,6 +210,10 @@ ExitCode grade(const Command &command, const QStringList &arguments)
         sayLine(QStringLiteral("interrupted; the same command goes on where it stopped"));
         return ExitCode::FallsShort;
     }
+    if (!given.empty())
+        refuse({QStringLiteral("--") + pointsOption,
+                QStringLiteral("other runs are still grading; no points were given"),
+                QStringLiteral("the same command once they have ended")});
     sayLine(QStringLiteral("%1: other runs are still grading; the last one writes the reports")
                 .arg(order.results));
     return ExitCode::Done;

@@ -196,7 +196,8 @@ QString WalkListing::orderedWithSlopes() const
 /// edges past each other.
 void WalkListing::addOrder()
 {
-    const QString compared = "{a}_ij ≤ {a}₀₂";
+    // Where both are equal, the kernel goes on along L₀₂; in rounded numbers the colours tell.
+    const QString compared = isDirect() ? "{a}_ij ≤ {a}₀₂" : "{a}_ij < {a}₀₂";
     const QString area = " — A is twice the area, above 0 where L₀₂ has the larger {a}";
     add(1, ordered(compared), everySpan, LineOf::Area);
     for (const Variant variant :

@@ -144,8 +144,8 @@ public:
         Int128 ofB = 0;
         Int128 below = 0;
         const bool overflows = __builtin_mul_overflow(a.m_above, factors.ofA, &ofA)
-            | __builtin_mul_overflow(b.m_above, factors.ofB, &ofB)
-            | __builtin_mul_overflow(a.m_below, factors.ofA, &below);
+            || __builtin_mul_overflow(b.m_above, factors.ofB, &ofB)
+            || __builtin_mul_overflow(a.m_below, factors.ofA, &below);
         if (overflows)
             return std::nullopt;
         return std::pair(Fraction(ofA, below), Fraction(ofB, below));
@@ -236,14 +236,14 @@ private:
         Int128 first = 0;
         Int128 second = 0;
         return !(__builtin_mul_overflow(a.m_above, factors.ofA, &first)
-                 | __builtin_mul_overflow(aboveB, factors.ofB, &second)
-                 | __builtin_mul_overflow(a.m_below, factors.ofA, &m_below)
-                 | __builtin_add_overflow(first, second, &m_above));
+                 || __builtin_mul_overflow(aboveB, factors.ofB, &second)
+                 || __builtin_mul_overflow(a.m_below, factors.ofA, &m_below)
+                 || __builtin_add_overflow(first, second, &m_above));
     }
     bool multiply(const Fraction &a, const Fraction &b)
     {
         return !(__builtin_mul_overflow(a.m_above, b.m_above, &m_above)
-                 | __builtin_mul_overflow(a.m_below, b.m_below, &m_below));
+                 || __builtin_mul_overflow(a.m_below, b.m_below, &m_below));
     }
 
     Int128 m_above = 0;

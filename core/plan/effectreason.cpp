@@ -114,6 +114,9 @@ QString clippingReason(const NeedsTally &tally, const QString &noun, Antialiasin
                             ? QStringLiteral("%1 a part beyond the frame")
                             : QStringLiteral("%1 samples beyond the frame"))
                            .arg(has(tally.crossing, tally.drawn, noun)));
+    if (tally.crossing > 0 && tally.mayCross > 0)
+        reasons.append(QStringLiteral("%1 more may go on beyond it, as far as bounding boxes tell")
+                           .arg(tally.mayCross));
     if (!reasons.empty())
         return reasons.join(QStringLiteral("; "));
     if (tally.mayCross > 0)

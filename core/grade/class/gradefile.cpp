@@ -75,18 +75,6 @@ Result<Value> readAt(const ResultsFolder &results, const QString &file, const Re
     return value ? value : Result<Value>(errorIn(results.pathOf(file), value.error()));
 }
 
-/// The files that are written into a folder of results, outside its folders.
-QStringList resultFiles()
-{
-    return {assignmentFile,
-            submissionListFile,
-            reviewsFile,
-            QStringLiteral("results.json"),
-            QStringLiteral("junit.xml"),
-            QStringLiteral("grades.csv"),
-            QStringLiteral("index.html")};
-}
-
 /// Those of the names that have no grade.
 QStringList missingIn(const GradeReport &report, QStringList names)
 {
@@ -132,6 +120,17 @@ bool hasOwnNames(const GradedSubmission &submission, const QString &file)
 }
 
 } // namespace
+
+QStringList resultFiles()
+{
+    return {assignmentFile,
+            submissionListFile,
+            reviewsFile,
+            QStringLiteral("results.json"),
+            QStringLiteral("junit.xml"),
+            QStringLiteral("grades.csv"),
+            QStringLiteral("index.html")};
+}
 
 QByteArray writeGradedSubmission(const GradedSubmission &submission, const QByteArray &assignment)
 {

@@ -26,6 +26,9 @@ std::optional<InputError> changedPictureOf(const GradedSubmission &submission,
 QString assignmentFileOf(const QString &results);
 QString submissionFileOf(const QString &results, const QString &id);
 
+/// The files that are written into a folder of results, outside its folders.
+QStringList resultFiles();
+
 /// The names of all submissions, sealed; those without a grade are missing in the report.
 QByteArray writeSubmissionList(const QStringList &names);
 

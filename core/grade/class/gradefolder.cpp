@@ -11,6 +11,7 @@
 #include "core/scene/files/outputfolder.h"
 
 #include <QFile>
+#include <QRegularExpression>
 #include <QSet>
 
 #include <algorithm>
@@ -41,6 +42,12 @@ void removeOthers(const ResultsFolder &results, const Assignment &assignment,
             if (!kept.contains(file))
                 results.remove(folder + u'/' + file);
         }
+    }
+    const QRegularExpression unfinished(
+        QStringLiteral("^(%1)\\.[0-9a-f]{8}$").arg(resultFiles().join(u'|').replace(u'.', "\\.")));
+    for (const QString &file : results.filesIn({})) {
+        if (unfinished.match(file).hasMatch())
+            results.remove(file);
     }
 }
 

@@ -107,6 +107,9 @@ void writeUngraded(QXmlStreamWriter &xml, const QString &submission)
     xml.writeEndElement();
 }
 
+/// Words of people, who may paste anything.
+QString cellText(const QString &text) { return spreadsheetText(escapedLines(text)); }
+
 } // namespace
 
 QByteArray csvOf(const GradeReport &report)
@@ -125,12 +128,11 @@ QByteArray csvOf(const GradeReport &report)
             {spreadsheetText(each.name), pointsText(each.points()),
              pointsText(report.assignment.points()), verdictText(each), differingText(each),
              defectsText(each),
-             spreadsheetText(
-                 sentencesFor(each, report.assignment.hint).join(QStringLiteral(" / "))),
-             spreadsheetText(each.review.comment),
+             cellText(sentencesFor(each, report.assignment.hint).join(QStringLiteral(" / "))),
+             cellText(each.review.comment),
              each.review.isAccepted ? QStringLiteral("yes") : QStringLiteral("no"),
              each.id, // begins with a letter, a digit or _
-             sandboxText(each), spreadsheetText(each.review.reason.value_or(QString()))});
+             sandboxText(each), cellText(each.review.reason.value_or(QString()))});
     for (const QString &name : report.missing)
         writer->writeRow({spreadsheetText(name), QString(), pointsText(report.assignment.points()),
                           QStringLiteral("no grade"), QString(), QString(), QString(), QString(),

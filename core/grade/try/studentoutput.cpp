@@ -92,6 +92,11 @@ Colour byteColour(const std::vector<WrittenNumber> &numbers, const WrittenLine &
         const WrittenNumber &number = numbers[channel];
         const double level = std::clamp(number.value.toDouble(), -1e6, 1e6); // also infinities
         levels[channel] = {level - number.halfUnit, level + number.halfUnit};
+        // What is no byte keeps its lowest eight bits, as when it is stored.
+        if (level <= -1 || level >= 256) {
+            nearest.channels[channel] = std::uint8_t(std::int64_t(std::floor(level)));
+            continue;
+        }
         const auto byte
             = LevelRange{level, level}.bytes(number.isWhole ? ByteRounding::Nearest : rounding);
         nearest.channels[channel] = std::uint8_t(byte.first);

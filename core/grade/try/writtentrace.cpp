@@ -127,8 +127,10 @@ bool takeLine(const QList<QByteArray> &words, WrittenLine &line)
 {
     const auto form = std::ranges::find_if(
         writtenForms, [&words](const WrittenForm &each) { return words[0] == each.word; });
+    // Qt takes a NUL for a number's end.
+    const auto hasNul = [](const QByteArray &word) { return word.contains('\0'); };
     if (form == writtenForms.end() || words.size() != 1 + form->coordinates + form->numbers
-        || !numbersIn(words, *form))
+        || std::ranges::any_of(words, hasNul) || !numbersIn(words, *form))
         return false;
     const auto first = coordinateOf(words[1]);
     const auto second = form->axis ? first : coordinateOf(words[2]);

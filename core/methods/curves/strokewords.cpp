@@ -117,8 +117,8 @@ QString uncoveredText(const StrokeSampleState &state)
     return texts.isEmpty()
         ? QString()
         : QStringLiteral(" The line covers d_across from −1 to 1 half widths and d_along from 0 to "
-                         "1 of its length, a sample on that border as if displaced to the right "
-                         "and, by less, up; outside lie the samples ")
+                         "1 of its length, a sample on that border as if displaced towards "
+                         "larger x and, by less, larger y; outside lie the samples ")
             + texts.join(QStringLiteral(", ")) + u'.';
 }
 

@@ -68,7 +68,8 @@ void appendValues(NumberTable<ShadedSetUpState> &table, const ShadedScope &scope
             {comparedNumber(
                  name + QString::number(digit), name + vertexDigits[digit], unitOf(which),
                  (which == Channel::Reciprocal
-                      ? QStringLiteral("%1 at P%2 divided by its w: what is linear in the frame.")
+                      ? QStringLiteral("%1 at P%2 divided by its w, or as it is where nothing "
+                                       "is divided: what is linear in the frame.")
                       : QStringLiteral("%1 at P%2, divided by its w unless it is the same at all "
                                        "vertices: what is linear in the frame."))
                      .arg(which == Channel::Reciprocal ? QStringLiteral("1") : given)

@@ -88,8 +88,9 @@ void appendLinear(Table &table, const ShadedScope &scope, const ScopedChannel &c
         ? QStringLiteral("%1/w at the sample, linear in the frame; %1 itself where it is the same "
                          "at all vertices.")
               .arg(shadedName(which))
-        : which == Channel::Reciprocal ? QStringLiteral("1/w at the sample: linear in the frame.")
-                                       : atSampleText(which) + u'.';
+        : which == Channel::Reciprocal
+        ? QStringLiteral("1/w at the sample, or 1 where nothing is divided: linear in the frame.")
+        : atSampleText(which) + u'.';
     NumberDescription number
         = comparedNumber(name, name, unitOf(which), toolTip, formula, Group::FirstColour);
     if (!scope.isPlanned && isBilinear(form))

@@ -498,6 +498,7 @@ private slots:
         row("a drawing", "<svg xmlns='http://www.w3.org/2000/svg' width='4' height='3'/>",
             "neither a picture nor lines");
         row("a line that is none", "column 1 2 3\ncolumn 1 2\n", "line 2 of the output");
+        row("a NUL", QByteArray("pixel 1\0 1 2 3 4\n", 17), "line 1 of the output");
         row("a long line", "column 1 2 3" + QByteArray(1000, ' ') + "\n", "line 1 of the output");
         row("too large a coordinate", "pixel 99999999999 0 1 2 3\n", "line 1 of the output");
     }
@@ -512,6 +513,20 @@ private slots:
         QVERIFY2(read.error().message().contains(message), qPrintable(read.error().message()));
         for (const QChar character : read.error().message())
             QVERIFY(character.category() != QChar::Other_Control);
+    }
+
+    void aLevelThatIsNoByteIsNotTakenForTheNearestOne()
+    {
+        const Scene scene = smallScene();
+        const auto read
+            = readStudentOutput("pixel 1 1 256 300 99999\npixel 2 1 -1 inf 255.4\n", scene);
+        QVERIFY(read && read->picture);
+        const auto colourAt = [&](int x) {
+            return read->picture
+                ->colours[read->picture->placeOf(x, int(pictureLine(scene.frame, 1)))];
+        };
+        QCOMPARE(colourAt(1), (Colour{{0, 44, 159}}));
+        QCOMPARE(colourAt(2), (Colour{{255, 64, 255}})); // no byte is right for inf
     }
 
     void whatIsShownHoldsNoEscapes()
