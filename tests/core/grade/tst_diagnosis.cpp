@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/grade/diagnose/diagnosis.h"
+#include "core/grade/diagnose/frameconvention.h"
 #include "core/grade/pictures/picturediff.h"
 #include "tests/support/casestorun.h"
 #include "tests/support/programs/defectgroups.h"
@@ -141,6 +142,26 @@ private slots:
         QVERIFY(diagnosis.candidates.size() <= 5);
         QCOMPARE(diagnosis.candidates.front().distance, std::int64_t(1));
         QVERIFY(isAmong(diagnosis, defect.id));
+    }
+
+    void conventionsAreReadOffAPictureBeforeMistakesAreSought()
+    {
+        std::vector<Submission> submissions;
+        for (const Scene &scene : probeScenes()) {
+            Scene read = sceneIn(scene, FrameConvention::OtherOrigin);
+            for (Triangle &triangle : read.triangles) {
+                for (Vertex &vertex : triangle.vertices)
+                    vertex.position
+                        = {vertex.position.x - unitsPerPixel, vertex.position.y - unitsPerPixel};
+            }
+            submissions.push_back(
+                {scene,
+                 pictureWith(read, std::vector<Defect>{defectNamed(read, "unsorted-colours")})});
+        }
+        const Diagnosis diagnosis = *diagnose(submissions);
+        QVERIFY(diagnosis.isExplained());
+        QCOMPARE(diagnosis.candidates.front().ids(),
+                 (QStringList{"other-origin", "counted-from-1", "unsorted-colours"}));
     }
 
     void whatDiffersOnEdgesAloneIsUndecidable()
