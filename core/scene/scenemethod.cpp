@@ -94,9 +94,12 @@ std::vector<NamedSetting> namedSettings(const ScanSettings &settings, const Open
     return named;
 }
 
-/// What may be called for is less once the plan is made or an effect is forced off.
-bool isDrawnByItsMethod(const Scene &scene, const OpenSettings &open)
+/// Whether the method that is chosen draws the scene, effects included, once these settings are no
+/// longer named.
+bool isDrawnWithout(const std::vector<NamedSetting> &dropped, Scene scene, OpenSettings open)
 {
+    for (const NamedSetting &setting : dropped)
+        setting.drop(scene.settings, open);
     const Method &method = methodFor(scene, open);
     const ScanSettings settings = settledFor(method, scene.settings, open);
     if (!drawsFirst(method, scene) || !method.objection(settings).isEmpty())
@@ -106,21 +109,6 @@ bool isDrawnByItsMethod(const Scene &scene, const OpenSettings &open)
             || method.objection(scene.shapes.front(), scene.appearance, settings).isEmpty();
     const Run run(&method, primitivesOnSamples(scene), settings, windowOf(scene.frame));
     return !run.plan || method.objection(*run.plan, settings).isEmpty();
-}
-
-/// Whether some method draws the scene, effects included, once these settings are no longer named.
-bool isDrawnWithout(const std::vector<NamedSetting> &dropped, Scene scene, OpenSettings open)
-{
-    for (const NamedSetting &setting : dropped)
-        setting.drop(scene.settings, open);
-    const auto drawsAll = [&](const Method &method) {
-        const ScanSettings settled = settledFor(method, scene.settings, open);
-        // Effects are never run with variants.
-        const bool shades = (settled.isRight() || !mayRunMore(method, scene))
-            && canEffects(method, scene, settled);
-        return drawsFirst(method, scene) && method.objection(settled).isEmpty() && shades;
-    };
-    return std::ranges::any_of(methods(), drawsAll) || isDrawnByItsMethod(scene, open);
 }
 
 /// Each smallest set of named settings without which some method draws the scene; pairs are tried
