@@ -22,6 +22,13 @@ std::size_t bytesOf(const Picture &picture)
     return picture.size() * (sizeof(Colour) + sizeof(std::uint8_t));
 }
 
+/// isSameAt(), of a pixel that is in no picture yet.
+bool isSameAs(const ChangedPixel &pixel, const Picture &found, std::size_t place)
+{
+    return found.hasColours ? isEqual(pixel.colour, found.colours[place])
+                            : pixel.covered == found.covered[place];
+}
+
 template <class T>
 std::size_t hashOf(const std::vector<T> &values)
 {
@@ -176,8 +183,7 @@ bool DefectPictures::isBeyond(std::size_t scene, const DefectSet &set, const Pic
         ChangedPixel pixel;
         change->changePicture(*base.picture, int(place % width), int(place / width),
                               base.background, std::span(&pixel, 1));
-        const bool isSame = found.hasColours ? pixel.colour == found.colours[place]
-                                             : pixel.covered == found.covered[place];
+        const bool isSame = isSameAs(pixel, found, place);
         differing += isSame ? 0 : 1;
         // Three standard deviations less than as many as are seen.
         const double least = (differing - 3 * std::sqrt(differing)) * double(stride);
@@ -270,12 +276,8 @@ bool DefectPictures::isRefusedWhenChanged(std::size_t scene, const DefectSet &se
     std::vector<ChangedPixel> pixels(std::size_t(found.width));
     for (int line = 0; line < found.height && differing < limit; ++line) {
         change->changePicture(*base.picture, 0, line, base.background, pixels);
-        for (const ChangedPixel &pixel : pixels) {
-            const bool isSame = found.hasColours ? isEqual(pixel.colour, found.colours[place])
-                                                 : pixel.covered == found.covered[place];
-            differing += isSame ? 0 : 1;
-            ++place;
-        }
+        for (const ChangedPixel &pixel : pixels)
+            differing += isSameAs(pixel, found, place++) ? 0 : 1;
     }
     return differing >= limit;
 }

@@ -45,10 +45,11 @@ std::int64_t PictureMatcher::distance(const DefectSet &set, std::int64_t limit)
     const auto inSpans = m_spans->distance(set, limit);
     if (inSpans && *inSpans >= limit)
         return *inSpans;
-    const bool isBeyond
-        = m_spans->areSampled() && std::ranges::any_of(m_found, [&](const FoundPicture &each) {
-              return m_pictures.isBeyond(each.scene, set, each.picture, limit);
-          });
+    // What is known for a limit of 1 asks this, too.
+    const bool isBeyond = limit != 1 && m_spans->areSampled()
+        && std::ranges::any_of(m_found, [&](const FoundPicture &each) {
+                              return m_pictures.isBeyond(each.scene, set, each.picture, limit);
+                          });
     if (isBeyond)
         return limit;
     const auto isKnown = [&](const FoundPicture &each, std::int64_t upTo) {

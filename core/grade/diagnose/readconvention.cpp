@@ -134,6 +134,8 @@ std::optional<ReadConvention> readConvention(DefectPictures &pictures,
                         for (Scene &scene : tried.scenes)
                             (*each)->changeScene(scene);
                     }
+                    if (tried.told.empty())
+                        continue; // as asked
                     const auto left = leftBy(tried.scenes, found);
                     if (left && areRead(*left, *asAsked) && isNearer(*left, least)) {
                         least = *left;
