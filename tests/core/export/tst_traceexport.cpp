@@ -2,6 +2,7 @@
 #include "core/export/traceexport.h"
 #include "core/runs/explain/formulaexplanation.h"
 #include "core/scene/scenefile.h"
+#include "tests/support/programs/tablefolder.h"
 #include "tests/support/scenes/shapes.h"
 #include "tests/support/scenes/spacescenes.h"
 #include "tests/support/sourcetree.h"
@@ -31,12 +32,7 @@ Scene defaultScene(Arithmetic arithmetic = Arithmetic::Exact)
 
 QByteArray exported(const Scene &scene, TraceLevel level, TableFormat format)
 {
-    QByteArray bytes;
-    QBuffer buffer(&bytes);
-    buffer.open(QIODevice::WriteOnly);
-    if (!exportTrace(*traceScene(scene), {level, format}, buffer))
-        return {};
-    return bytes;
+    return exported(*traceScene(scene), {level, format});
 }
 
 /// The lines of a CSV, without their line ends.
@@ -351,15 +347,13 @@ private slots:
 
     void alignsDecimalsAtThePoint()
     {
-        QByteArray bytes;
-        QBuffer buffer(&bytes);
-        buffer.open(QIODevice::WriteOnly);
         TraceExportOptions options;
         options.format = TableFormat::Text;
         options.textNumbers = TextNumbers::Decimal;
         options.columns = {QStringLiteral("x"), QStringLiteral("y_T")};
 
-        QVERIFY(exportTrace(*traceScene(defaultScene()), options, buffer));
+        const QByteArray bytes = exported(*traceScene(defaultScene()), options);
+        QVERIFY(!bytes.isEmpty());
 
         const QList<QByteArray> lines = bytes.split('\n');
         QCOMPARE(lines[0], QByteArray(" x         y_T"));
@@ -380,15 +374,13 @@ private slots:
                           {{far, 2 * unitsPerPixel + 1}, {}},
                           {{far, 5 * unitsPerPixel}, {}}}}},
                Triangle{{{{{0, 0}, {}}, {{far, -1}, {}}, {{far, 3 * unitsPerPixel}, {}}}}}};
-        QByteArray bytes;
-        QBuffer buffer(&bytes);
-        buffer.open(QIODevice::WriteOnly);
         TraceExportOptions options;
         options.format = TableFormat::Text;
         options.textNumbers = TextNumbers::Decimal;
         options.columns = {QStringLiteral("y_B"), QStringLiteral("first_row")};
 
-        QVERIFY(exportTrace(*traceScene(scene), options, buffer));
+        const QByteArray bytes = exported(*traceScene(scene), options);
+        QVERIFY(!bytes.isEmpty());
 
         // At x = 1 y_B = 2 + 1/2097152 = 2.000000476… and −1/2097152.
         const QList<QByteArray> lines = bytes.split('\n');

@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/export/traceexport.h"
 #include "core/runs/explain/formulaexplanation.h"
 #include "core/runs/tracedscene.h"
 #include "tests/support/numbernamed.h"
+#include "tests/support/programs/tablefolder.h"
 #include "tests/support/scenes/shapes.h"
 #include "tests/support/testprogram.h"
 
-#include <QBuffer>
 #include <QTest>
 
 namespace tst_linetables {
@@ -232,14 +231,12 @@ private slots:
         Scene scene = sceneOf(lineAt(0, 0, 3, 1), "line-dda", frameOf(6, 6));
         scene.shapes[0].vertices[0].colour = {{0, 0, 0}};
         scene.shapes[0].vertices[1].colour = {{1, 3, 255}};
-        QByteArray text;
-        QBuffer file(&text);
-        file.open(QIODevice::WriteOnly);
         TraceExportOptions options;
         options.level = TraceLevel::Pixel;
         options.format = TableFormat::Csv;
         options.columns = {QStringLiteral("R_exact"), QStringLiteral("B_exact")};
-        QVERIFY(exportTrace(*traceScene(scene), options, file));
+        const QByteArray text = exported(*traceScene(scene), options);
+        QVERIFY(!text.isEmpty());
         QCOMPARE(text, QByteArray("R_exact,B_exact\r\n0,0\r\n1/3,85\r\n2/3,170\r\n1,255\r\n"));
     }
 

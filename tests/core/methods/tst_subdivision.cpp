@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/export/traceexport.h"
 #include "core/runs/tracedscene.h"
+#include "tests/support/programs/tablefolder.h"
 #include "tests/support/sanitized.h"
 #include "tests/support/scenes/shapes.h"
 #include "tests/support/testprogram.h"
 
-#include <QBuffer>
 #include <QTest>
 
 #include <cmath>
@@ -135,16 +134,14 @@ private slots:
     {
         const Shape curve = bezierAt({{1664, 128}, {1280, -256}, {2048, 896}, {512, 1408}});
         const auto traced = traceScene(sceneOf(curve, "bezier-subdivision", frameOf(11, 10)));
-        QByteArray text;
-        QBuffer file(&text);
-        file.open(QIODevice::WriteOnly);
         TraceExportOptions options;
         options.level = TraceLevel::Column;
         options.format = TableFormat::Csv;
         options.columns = {QStringLiteral("depth"), QStringLiteral("t_from_exact"),
                            QStringLiteral("t_to_exact"), QStringLiteral("x_0_exact"),
                            QStringLiteral("y_3_exact")};
-        QVERIFY(exportTrace(*traced, options, file));
+        const QByteArray text = exported(*traced, options);
+        QVERIFY(!text.isEmpty());
         int deepest = 0;
         const QList<QByteArray> lines = text.trimmed().split('\n');
         for (const QByteArray &line : lines.sliced(1)) {

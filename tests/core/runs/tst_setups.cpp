@@ -1,16 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/export/traceexport.h"
 #include "core/runs/explain/edgename.h"
 #include "core/runs/explain/formulaexplanation.h"
 #include "core/runs/explain/pixelhistory.h"
 #include "core/runs/spanheadings.h"
 #include "core/runs/tracedscene.h"
+#include "tests/support/programs/tablefolder.h"
 #include "tests/support/scenes/defaultscene.h"
 #include "tests/support/scenes/polygons.h"
 #include "tests/support/scenes/shapes.h"
 #include "tests/support/testprogram.h"
 
-#include <QBuffer>
 #include <QJsonArray>
 #include <QJsonDocument>
 #include <QJsonObject>
@@ -56,17 +55,6 @@ QStringList symbolsOf(const Explanation &explanation)
     for (const FormulaLine &line : explanation.lines)
         symbols.append(line.symbols);
     return symbols;
-}
-
-QByteArray exported(const TracedScene &traced, TableFormat format)
-{
-    QBuffer buffer;
-    buffer.open(QIODevice::WriteOnly);
-    TraceExportOptions options;
-    options.format = format;
-    if (!exportTrace(traced, options, buffer))
-        return {};
-    return buffer.data();
 }
 
 double numberIn(const QJsonObject &row, const char *id)
@@ -233,17 +221,18 @@ private slots:
         scene.settings.fillRule = FillRule::HalfOpenColumn;
         const auto traced = traceScene(scene);
         const auto rule = QStringLiteral("⌈y_T⌉ − 1");
-        const QString text = QString::fromUtf8(exported(*traced, TableFormat::Text));
+        const QString text = QString::fromUtf8(exported(*traced, {.format = TableFormat::Text}));
         QVERIFY(text.section(u'\n', 0, 0).contains(rule));
         QVERIFY(!text.section(u'\n', 0, 0).contains(QStringLiteral("⌊y_T⌋")));
-        const QString json = QString::fromUtf8(exported(*traced, TableFormat::Json));
+        const QString json = QString::fromUtf8(exported(*traced, {.format = TableFormat::Json}));
         QVERIFY(json.contains(QStringLiteral("last row = ") + rule));
         QVERIFY(!json.contains(QStringLiteral("last row = ⌊y_T⌋")));
 
         scene.method = "row-walk";
         scene.settings.fillRule = FillRule::Open;
-        const QString rows = QString::fromUtf8(exported(*traceScene(scene), TableFormat::Text))
-                                 .section(u'\n', 0, 0);
+        const QString rows
+            = QString::fromUtf8(exported(*traceScene(scene), {.format = TableFormat::Text}))
+                  .section(u'\n', 0, 0);
         QVERIFY2(rows.contains(QStringLiteral("⌊x_L⌋ + 1")), qPrintable(rows));
     }
 
@@ -254,7 +243,8 @@ private slots:
         scene.frame.firstRow = 14; // cuts the columns from below
         scene.frame.height = 20;
         const auto document
-            = QJsonDocument::fromJson(exported(*traceScene(scene), TableFormat::Json)).object();
+            = QJsonDocument::fromJson(exported(*traceScene(scene), {.format = TableFormat::Json}))
+                  .object();
         QString formula;
         for (const QJsonValue &column : document[QStringLiteral("columns")].toArray()) {
             if (column[QStringLiteral("id")].toString() == QStringLiteral("first_R"))

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/support/programs/tablefolder.h"
 
-#include "core/export/traceexport.h"
 #include "tests/support/sourcetree.h"
 
 #include <QBuffer>
@@ -17,14 +16,6 @@ namespace pixelplumb {
 namespace {
 
 constexpr std::array allLevels = {TraceLevel::SetUp, TraceLevel::Column, TraceLevel::Pixel};
-
-QByteArray exported(const TracedScene &traced, TraceLevel level, TableFormat format)
-{
-    QByteArray bytes;
-    QBuffer buffer(&bytes);
-    buffer.open(QIODevice::WriteOnly);
-    return exportTrace(traced, {level, format}, buffer) ? bytes : QByteArray();
-}
 
 /// Why a text is not the JSON of a table with these columns and this many rows; empty if it is.
 QString jsonFault(const QByteArray &text, const QStringList &names, qsizetype rowCount)
@@ -58,17 +49,26 @@ QString faultOfTable(const Table &table, const TracedScene &traced, TraceLevel l
     const QString fault = jsonFault(table.json, names, table.csv.count('\n') - 1);
     if (!fault.isEmpty())
         return QStringLiteral("level %1: %2").arg(int(level)).arg(fault);
-    if (exported(traced, level, TableFormat::Text).isEmpty())
+    if (exported(traced, {level, TableFormat::Text}).isEmpty())
         return QStringLiteral("level %1: no text").arg(int(level));
     return {};
 }
 
 Table tableOf(const TracedScene &traced, TraceLevel level)
 {
-    return {exported(traced, level, TableFormat::Csv), exported(traced, level, TableFormat::Json)};
+    return {exported(traced, {level, TableFormat::Csv}),
+            exported(traced, {level, TableFormat::Json})};
 }
 
 } // namespace
+
+QByteArray exported(const TracedScene &traced, const TraceExportOptions &options)
+{
+    QByteArray bytes;
+    QBuffer buffer(&bytes);
+    buffer.open(QIODevice::WriteOnly);
+    return exportTrace(traced, options, buffer) ? bytes : QByteArray();
+}
 
 QString TableFolder::faultOf(const TracedScene &traced) const
 {

@@ -1,11 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/export/traceexport.h"
 #include "core/runs/tracedscene.h"
 
 #include <QTemporaryDir>
 
 namespace pixelplumb {
+
+/// The table of a run as a file has it; empty if it cannot be written.
+QByteArray exported(const TracedScene &traced, const TraceExportOptions &options);
 
 /// A folder of exported tables, checked with their intended readers: Qt's JSON parser for each
 /// table at once, python3 for the whole folder.
