@@ -54,17 +54,17 @@ QString nameOfAntialiasing(Antialiasing antialiasing)
     }
     return QStringLiteral("area");
 }
+
 /// Whether the case's shapes are lines or curves that the method antialiases, one pixel wide: the
 /// facts describe the thinnest pictures, so only the truth can tell what such a method should draw.
-
 bool isStrokeCase(const HardCase &hardCase, const Method &method)
 {
     return method.supports(Effect::Antialiasing) && !hardCase.shapes.empty()
         && std::ranges::all_of(hardCase.shapes, isStroke);
 }
+
 /// Where the shapes' antialiased pictures, by area and by 4 and 16 samples, differ from the truth,
 /// around the shapes' ends, middles and extremes.
-
 QStringList strokeShortfalls(const HardCase &hardCase, const ScanSettings &settings,
                              const Drawing &drawing)
 {

@@ -24,9 +24,9 @@ bool mayBeSeen(const SpanPlace &place, const SampleBox &seen)
     }
     return true;
 }
+
 /// Passes to a function the samples in view that the method has visited for the primitive, up to
 /// the current step, with the numbers that it used there.
-
 void visitSamples(const LayerMoment &moment, const std::function<void(const SampleRecord &)> &visit)
 {
     const ScanTrace &trace = moment.trace();

@@ -31,6 +31,7 @@ constexpr bool undoEachOther(VariantSet departures)
     return departures.contains(Variant::DivisorMinusOne)
         && departures.contains(Variant::DivisorPlusOne);
 }
+
 /// The sentence about these two.
 QString undoingText();
 

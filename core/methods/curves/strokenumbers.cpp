@@ -27,9 +27,7 @@ NumberDescription strokeNumber(const QString &name, const QString &unit, const Q
 NumberDescription strokeFraction(const QString &name, const QString &unit, const QString &toolTip,
                                  const QString &formula, Group group)
 {
-    NumberDescription number = strokeNumber(name, unit, toolTip, formula, group);
-    number.comparison = Comparison::WithExact;
-    return number;
+    return comparedNumber(name, name, unit, toolTip, formula, group);
 }
 
 bool isLineStroke(const StrokeSetUp &setUp) { return setUp.shape.kind == PrimitiveKind::Line; }

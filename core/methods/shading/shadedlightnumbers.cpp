@@ -25,6 +25,7 @@ QString sourceName(const Light &light, std::size_t index)
 {
     return (isPlace(light.kind) ? QStringLiteral("S_%1") : QStringLiteral("d_%1")).arg(index);
 }
+
 /// "E_" for the viewer's position, "e_" for the direction towards it.
 QString viewerName(Light::Kind kind)
 {

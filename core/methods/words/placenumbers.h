@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/methods/words/placenumbers.h"
 #include "core/trace/numberdescription.h"
 
 /// The descriptions of numbers, and those with which the tables of several methods begin: where a

@@ -53,8 +53,8 @@ std::vector<Variant> variantsToBlame(const PixelAttempt &attempt, const TracedSc
     }
     return blamed.empty() && all.size() > 1 ? all : blamed;
 }
-/// What may make a pixel wrong in a run that departs from the correct algorithm; else empty.
 
+/// What may make a pixel wrong in a run that departs from the correct algorithm; else empty.
 QString variantText(const PixelAttempt &attempt, const TracedScene &traced, std::int64_t x,
                     std::int64_t y)
 {

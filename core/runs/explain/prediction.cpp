@@ -50,9 +50,9 @@ void keepConstant(std::vector<bool> &candidates, const ScanTrace &trace, std::si
         }
     }
 }
+
 /// For each cell of a span's primitive (SpanRecord::cells): whether all of its spans that have it
 /// agree, but for rounding, and an earlier span than this one already has it.
-
 std::vector<bool> constantNumbersBefore(const TracedScene &traced, std::size_t span)
 {
     const ScanTrace &trace = *traced.trace;

@@ -16,6 +16,7 @@ Value cast(const Value &quotient)
                                                 ? RoundedArithmetic<Value>::ceil(quotient)
                                                 : RoundedArithmetic<Value>::floor(quotient));
 }
+
 /// What is kept of a number.
 template <class Value>
 Value leftOf(const Value &value, Truncation kept)

@@ -92,10 +92,6 @@ QByteArray fieldsText(const Part &part, const QByteArray &separator, const QStri
     return fields;
 }
 
-} // namespace
-
-namespace {
-
 QString withoutQuotes(const QByteArray &text)
 {
     const QString whole = QString::fromUtf8(text);

@@ -39,9 +39,9 @@ InputError tooLarge(const QString &path, const QSize &size)
     return {path, QStringLiteral("a picture of %1 × %2").arg(size.width()).arg(size.height()),
             QStringLiteral("at most %1 × %1").arg(largestTextureSide)};
 }
+
 /// Reads a picture as texels; its transparency is ignored. The size is judged by the header, before
 /// anything is decoded.
-
 Result<Texture> readTexture(const QString &path)
 {
     Result<QByteArray> content = readRegularFile(path);

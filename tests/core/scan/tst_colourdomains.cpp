@@ -102,6 +102,7 @@ std::int64_t levelByTrueWideWords(const ColourPlace &place)
 {
     return levelByWideWords(place, resolutionOf(place));
 }
+
 /// Like levelByWideWords(), but made to assume that its bits suffice.
 std::int64_t levelByDeceivedWideWords(const ColourPlace &place)
 {

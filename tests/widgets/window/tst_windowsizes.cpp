@@ -99,6 +99,7 @@ void addSizes(const Sizes &sizes)
     for (const auto &[name, size] : sizes)
         QTest::newRow(name) << size;
 }
+
 /// Each function draws its own sample of the sizes to run.
 void addSizes()
 {
