@@ -2,7 +2,7 @@
 #include "core/check/effectcase.h"
 
 #include "core/check/casefacts.h"
-#include "core/scene/fields/appearancereader.h"
+#include "core/scene/fields/partreader.h"
 #include "core/scene/fields/attributereader.h"
 
 namespace pixelplumb {

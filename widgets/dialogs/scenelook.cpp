@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/dialogs/scenelook.h"
 
-#include "core/scene/fields/appearancewriter.h"
+#include "core/scene/fields/partwriter.h"
 #include "core/scene/fields/primitivewriter.h"
 #include "core/scene/scenefile.h"
 

@@ -14,7 +14,7 @@ struct CurrentScene {
     SceneReading reading;
     ReferredFiles files;
     std::size_t solidTriangles = 0; ///< that its solids are cut into so far
-    std::size_t shapeVertices = 0; ///< of its shapes so far; each character of a text counts as one
+    std::size_t shapeVertices = 0; ///< of its shapes so far; each character of a text counts as several
 };
 
 /// Reads the primitives of a scene; errors stay with the JsonReader.

@@ -1,14 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/frame/framenames.h"
-#include "core/frame/framespec.h"
 #include "core/methods/method.h"
-#include "core/scene/fields/appearancereader.h"
-#include "core/scene/fields/camerareader.h"
+#include "core/scene/fields/partreader.h"
 #include "core/scene/fields/primitivereader.h"
 #include "core/scene/files/fileaccess.h"
 #include "core/scene/files/filepath.h"
 #include "core/scene/text/choicereader.h"
-#include "core/scene/text/colourreader.h"
 #include "core/scene/text/jsonreader.h"
 
 #include <QFileInfo>
@@ -19,35 +15,6 @@
 namespace pixelplumb {
 
 namespace {
-
-/// Reads the frame without its off-screen point, which is read with the whole scene's numbers.
-/// Errors stay with the reader: a side or an area that is too large, an unknown origin or centre.
-FrameSpec readFrame(JsonReader &json, const JsonNode &node)
-{
-    json.expectObject(node,
-                      {"width", "height", "background", "origin", "pixelCentre", "firstPixel"});
-    FrameSpec frame;
-    const JsonNode width = node["width"];
-    frame.width = std::int32_t(json.integer(width, 1, largestFrameSide));
-    frame.height = std::int32_t(json.integer(node["height"], 1, largestFrameSide));
-    const qint64 area = qint64(frame.width) * frame.height;
-    if (area > largestFrameArea) {
-        json.fail(
-            width,
-            QStringLiteral("%1 × %2 are %3 pixels").arg(frame.width).arg(frame.height).arg(area),
-            QStringLiteral("at most %1 pixels").arg(largestFrameArea));
-    }
-    if (const JsonNode background = node["background"]; !background.isMissing())
-        frame.background = readColour(json, background);
-    readChoice(json, node["origin"], allFrameOrigins, frame.origin);
-    readChoice(json, node["pixelCentre"], allPixelCentres, frame.pixelCentre);
-    if (const JsonNode first = node["firstPixel"]; !first.isMissing()) {
-        const std::vector<JsonNode> pixel = json.array(first, 2);
-        frame.firstColumn = std::int32_t(json.integer(pixel[0], -largestPixel, largestPixel));
-        frame.firstRow = std::int32_t(json.integer(pixel[1], -largestPixel, largestPixel));
-    }
-    return frame;
-}
 
 constexpr auto primitivesKey = "primitives";
 
@@ -63,37 +30,21 @@ public:
     {
     }
 
+    /// The choice of a method comes last, since it depends on the primitives.
     SceneReading read()
     {
-        readSurroundings();
-        readPrimitives(m_json.root()[primitivesKey]);
-        chooseMethod(m_json.root());
+        const JsonNode root = m_json.root();
+        readFormat(root);
+        m_json.expectObject(
+            root, QStringList{"pixelplumb"} + surroundingKeys() + QStringList{primitivesKey});
+        NumberReader numbers(m_json, m_current.reading.snaps);
+        readSurroundings(m_json, numbers, m_current.files, m_current.reading.scene);
+        readPrimitives(root[primitivesKey]);
+        chooseMethod(root);
         return std::move(m_current.reading);
     }
 
 private:
-    /// Everything except the primitives and the choice of a method, which depends on them.
-    void readSurroundings()
-    {
-        const JsonNode root = m_json.root();
-        readFormat(root);
-        const QStringList keys
-            = {"pixelplumb",     "frame",    "method",   "arithmetic", "fillRule",
-               "offScreenPoint", "rounding", "variants", "camera",     "motion"};
-        m_json.expectObject(root, keys + appearanceKeys() + QStringList{primitivesKey});
-        m_current.reading.scene.frame = readFrame(m_json, root["frame"]);
-        readSettings(root);
-        NumberReader numbers(m_json, m_current.reading.snaps);
-        Scene &scene = m_current.reading.scene;
-        if (const JsonNode point = root["offScreenPoint"]; !point.isMissing())
-            scene.frame.offScreenPoint = numbers.position(point);
-        if (const JsonNode camera = root["camera"]; !camera.isMissing())
-            scene.camera = readCamera(m_json, numbers, camera);
-        if (const JsonNode motion = root["motion"]; !motion.isMissing())
-            scene.motion = readMotion(numbers, motion);
-        scene.appearance = readAppearance(m_json, numbers, m_current.files, root);
-    }
-
     /// Checked first: a newer file may have keys that this program does not know.
     void readFormat(const JsonNode &root)
     {
@@ -116,24 +67,6 @@ private:
             return;
         }
         m_json.integer(format, 1, sceneFormat);
-    }
-
-    Motion readMotion(NumberReader &numbers, const JsonNode &node)
-    {
-        m_json.expectObject(node, {"by", "frames"});
-        Motion motion;
-        motion.by = numbers.position(node["by"]);
-        motion.frames = int(m_json.integer(node["frames"], 2, largestFrameCount));
-        return motion;
-    }
-
-    void readSettings(const JsonNode &root)
-    {
-        Scene &scene = m_current.reading.scene;
-        readChoice(m_json, root["arithmetic"], allArithmetics, scene.settings.arithmetic);
-        readChoice(m_json, root["fillRule"], allFillRules, scene.settings.fillRule);
-        readChoice(m_json, root["rounding"], allByteRoundings, scene.settings.rounding);
-        scene.settings.variants = readVariants(m_json, root["variants"]);
     }
 
     /// Before every 1024 primitives the listener is asked whether to go on.
@@ -168,7 +101,7 @@ private:
         if (open.method) {
             method = &methodFor(scene, open);
         } else {
-            method = methodNamed(m_json.string(node));
+            method = methodNamed(QString::fromStdString(scene.method));
             if (method == nullptr) {
                 QStringList ids;
                 for (const Method &each : methods())

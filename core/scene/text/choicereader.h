@@ -2,7 +2,6 @@
 #pragma once
 
 #include "core/scan/choicenames.h"
-#include "core/scan/variants.h"
 #include "core/scene/text/jsonreader.h"
 
 #include <array>
@@ -36,22 +35,6 @@ void readChoice(JsonReader &json, const JsonNode &node, const std::array<Choice,
         }
     }
     json.fail(node, describe(node), anyOf(names));
-}
-
-/// Reads an array of variant names; no variants where the key is missing.
-inline VariantSet readVariants(JsonReader &json, const JsonNode &node)
-{
-    VariantSet variants;
-    if (node.isMissing())
-        return variants;
-    for (const JsonNode &each : json.array(node)) {
-        Variant variant = allVariants.front();
-        readChoice(json, each, allVariants, variant);
-        if (json.hasFailed())
-            return {};
-        variants = variants.with(variant);
-    }
-    return variants;
 }
 
 } // namespace pixelplumb

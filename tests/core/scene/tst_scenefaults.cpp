@@ -1,9 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/methods/method.h"
 #include "tests/support/scenes/scenetext.h"
+#include "tests/support/scenes/shapeexamples.h"
+#include "tests/support/sourcetree.h"
 #include "tests/support/testprogram.h"
 
 #include <QTest>
+
+#include <array>
 
 namespace tst_scenefaults {
 
@@ -11,10 +15,8 @@ using namespace pixelplumb;
 
 namespace {
 
-QByteArray frameOf(const QByteArray &frame)
-{
-    return "{ \"pixelplumb\": 1, \"frame\": " + frame + ", \"primitives\": [] }";
-}
+const QByteArray triangle
+    = R"({ "triangle": [[0, 0], [9, 1], [2, 8]], "colors": ["#ff0000", "#00ff00", "#0000ff"] })";
 
 } // namespace
 
@@ -23,117 +25,33 @@ class TestSceneFaults : public QObject {
     Q_OBJECT
 
 private slots:
-    void namesTheFaultAndItsPlace_data()
+    /// tests/data/scene_faults.txt: after # what is wrong, then the text, after ! the message;
+    /// "..." stands for the first lines of a scene of 64 × 48 pixels.
+    void everyFaultSaysWhereAndWhatWasExpected_data()
     {
         QTest::addColumn<QByteArray>("text");
         QTest::addColumn<QString>("message");
-        const auto row = [](const char *name, const QByteArray &text, const char *message) {
-            QTest::newRow(name) << text << QString::fromUtf8(message);
-        };
-        const char *primitives = "\"primitives\": []";
-        row("empty", "", "the input is empty; expected JSON");
-        row("a key twice, once by its codes",
-            R"({ "pixelplumb": 1, "frame": { "width": 8, "w\u0069dth": 9, "height": 8 } })",
-            "line 1, column 57, frame.width: the key is there twice; expected every key once");
-        row("a key twice, both by codes", R"({ "\u0061": 1, "\u0061": 2 })",
-            "line 1, column 26, a: the key is there twice; expected every key once");
-        row("blank", " \n ", "the input is empty; expected JSON");
-        row("an array", "[1]",
-            "line 1, column 1, pixelplumb: no format number: this is no Pixelplumb scene; expected "
-            "\"pixelplumb\": 1");
-        row("some other object", "{\"a\": 1}",
-            "line 1, column 1, pixelplumb: no format number: this is no Pixelplumb scene; expected "
-            "\"pixelplumb\": 1");
-        row("newer", "{\"new\": true,\n \"pixelplumb\": 2}",
-            "line 2, column 16, pixelplumb: written by a newer Pixelplumb (format 2); expected a "
-            "format up "
-            "to 1, the newest that this one reads");
-        row("version zero", "{\"pixelplumb\": 0}",
-            "line 1, column 16, pixelplumb: 0; expected the integer 1");
-        row("version as text", "{\"pixelplumb\": \"1\"}",
-            "line 1, column 16, pixelplumb: “1”; expected the integer 1");
-        row("unknown key", sceneWith("  \"fillrule\": \"closed\", \"primitives\": []"),
-            "line 4, column 15, fillrule: unknown key “fillrule”; expected one of pixelplumb, "
-            "frame, method, "
-            "arithmetic, fillRule, offScreenPoint, rounding, variants, camera, motion, materials, "
-            "lights, ambient, "
-            "shading, depth, depthBits, antialiasing, primitives");
-        row("key twice", sceneWith("  \"primitives\": [],\n  \"primitives\": []"),
-            "line 5, column 17, primitives: the key is there twice; expected every key once");
-        row("key twice, deep", frameOf(R"({ "width": 1, "height": 2, "width": 3 })"),
-            "line 1, column 65, frame.width: the key is there twice; expected every key once");
-        row("no frame", QByteArray("{ \"pixelplumb\": 1, ") + primitives + "}",
-            "line 1, column 1, frame: nothing; expected an object");
-        row("no primitives", sceneWith("\"fillRule\": \"closed\""),
-            "line 1, column 1, primitives: nothing; expected an array");
-        row("width missing", frameOf(R"({ "height": 2 })"),
-            "line 1, column 29, frame.width: nothing; expected an integer from 1 to 32768");
-        row("width 0", frameOf(R"({ "width": 0, "height": 2 })"),
-            "line 1, column 40, frame.width: 0; expected an integer from 1 to 32768");
-        row("width too large", frameOf(R"({ "width": 32769, "height": 2 })"),
-            "line 1, column 40, frame.width: 32769; expected an integer from 1 to 32768");
-        row("width with a fraction", frameOf(R"({ "width": 2.5, "height": 2 })"),
-            "line 1, column 40, frame.width: 2.5; expected an integer from 1 to 32768");
-        row("width beyond 64 bits", frameOf(R"({ "width": 1e30, "height": 2 })"),
-            "line 1, column 40, frame.width: 1e30; expected an integer from 1 to 32768");
-        row("area too large", frameOf(R"({ "width": 32768, "height": 32768 })"),
-            "line 1, column 40, frame.width: 32768 × 32768 are 1073741824 pixels; expected at most "
-            "268435456 "
-            "pixels");
-        row("first pixel too far",
-            frameOf(R"({ "width": 1, "height": 1, "firstPixel": [0, 1073741825] })"),
-            "line 1, column 74, frame.firstPixel[1]: 1073741825; expected an integer from "
-            "-1073741824 to "
-            "1073741824");
-        row("origin", frameOf(R"({ "width": 1, "height": 1, "origin": "top-right" })"),
-            "line 1, column 66, frame.origin: “top-right”; expected one of bottom-left, top-left");
-        row("background", frameOf(R"({ "width": 1, "height": 1, "background": "black" })"),
-            "line 1, column 70, frame.background: “black” is no colour; expected #rrggbb or "
-            "#rrggbbaa in hexadecimal digits");
-        row("blending", frameOf("{ \"width\": 1, \"height\": 1, \"background\": \"#f0203080\" }"),
-            "line 1, column 70, frame.background: “#f0203080” is not opaque, and only triangles "
-            "are blended; expected alpha ff, or #rrggbb without alpha");
-        row("name that ends early",
-            sceneWith(R"("materials": { "a": { "texture": "f.png\u0000" } }, "primitives": [])"),
-            "line 4, column 34, materials.a.texture: a string with the character U+0000; expected "
-            "one without it");
-        row("rule that the method does not keep",
-            sceneWith(
-                R"("fillRule": "off-screen-point", "method": "column-scan", "primitives": [])"),
-            "line 4, column 13, fillRule: method “column-scan” cannot keep the fill rule "
-            "“off-screen-point”: "
-            "a column ends at its two bounds whatever edge they belong to; it keeps closed, "
-            "half-open-column, open");
-        row("coordinate too large", sceneOfTriangleAt("3e9"),
-            "line 5, column 21, primitives[0].triangle[0][0]: 3e9 is outside ±1073741824 "
-            "px; expected "
-            "a coordinate such as 26, 26.5 or 53/2 within ±1073741824 px");
-        row("coordinate nan", sceneOfTriangleAt("\"nan\""),
-            "line 5, column 21, primitives[0].triangle[0][0]: “nan” is no coordinate; expected a "
-            "coordinate "
-            "such as 26, 26.5 or 53/2 within ±1073741824 px");
-        row("coordinate null", sceneOfTriangleAt("null"),
-            "line 5, column 21, primitives[0].triangle[0][0]: null; expected a coordinate such as "
-            "26, 26.5 "
-            "or 53/2 within ±1073741824 px");
-        row("two vertices",
-            sceneWith(R"("primitives": [{ "triangle": [[0, 0], [1, 1]], "colors": [] }])"),
-            "line 4, column 30, primitives[0].triangle: an array of 2; expected an array of 3");
-        row("three coordinates",
-            sceneWith(
-                R"("primitives": [{ "triangle": [[0, 0, 0], [1, 1], [2, 0]], "colors": [0, 0, 0] }])"),
-            "line 4, column 31, primitives[0].triangle[0]: an array of 3; expected an array of 2");
-        row("no colours", sceneWith(R"("primitives": [{ "triangle": [[0, 0], [1, 1], [2, 0]] }])"),
-            "line 4, column 16, primitives[0].colors: nothing; expected an array");
-        row("after an umlaut", QByteArray("{\"ä\": 1,\"ä\": 2}"),
-            "line 1, column 14, ä: the key is there twice; expected every key once");
+        const QString faults = textInTree(QStringLiteral("tests/data/scene_faults.txt"));
+        for (const QString &fault : (u'\n' + faults).split(QStringLiteral("\n# ")).sliced(1)) {
+            const qsizetype text = fault.indexOf(u'\n') + 1;
+            const qsizetype message = fault.indexOf(QStringLiteral("\n! "));
+            const QByteArray written = fault.sliced(text, message - text).toUtf8();
+            QTest::newRow(qPrintable(fault.first(text - 1)))
+                << (written.startsWith("...\n") ? sceneWith(written.sliced(4)) : written)
+                << fault.sliced(message + 3).trimmed();
+        }
     }
-    void namesTheFaultAndItsPlace()
+    void everyFaultSaysWhereAndWhatWasExpected()
     {
         QFETCH(QByteArray, text);
         QFETCH(QString, message);
-
         QCOMPARE(errorOf(text), message);
+    }
+
+    void aTextOfNothingIsNoJson()
+    {
+        for (const char *text : {"", " \n "})
+            QCOMPARE(errorOf(text), QStringLiteral("the input is empty; expected JSON"));
     }
 
     void namesAllMethodsWhereThereIsNoSuchOne()
@@ -232,11 +150,91 @@ private slots:
         QVERIFY2(error.contains(message), qPrintable(error));
     }
 
-private:
-    const QByteArray triangle
-        = QByteArray("{ 'triangle': [[0, 0], [9, 1], [2, 8]], 'colors': ['#ff0000', '#00ff00', "
-                     "'#0000ff'] }")
-              .replace('\'', '"');
+    void refusesAnArithmeticThatTheMethodDoesNotKnow()
+    {
+        QCOMPARE(
+            errorOf(sceneOfPrimitives(
+                shapeExamples()[2].text,
+                "\"method\": \"circle-parametric\", \"arithmetic\": \"exact\", ")),
+            QStringLiteral("line 2, column 46, arithmetic: method “circle-parametric” does not "
+                           "compute in “exact”; it knows float64, float32"));
+    }
+
+    void refusesEveryTextThatIsCutShort()
+    {
+        QByteArray primitives;
+        for (const ShapeExample &example : shapeExamples())
+            primitives += (primitives.isEmpty() ? "" : ",\n") + example.text;
+        const QByteArray text = sceneOfPrimitives(primitives);
+        QVERIFY(readScene(text).isOk());
+        for (qsizetype length = 0; length < text.size(); ++length)
+            QVERIFY2(!readScene(text.first(length)).isOk(), qPrintable(QString::number(length)));
+    }
+
+    void whatTakesTooMuchMemoryIsRefusedWithItsPlace_data()
+    {
+        QTest::addColumn<QByteArray>("primitives");
+        QTest::addColumn<QString>("told");
+        constexpr qsizetype most = 2'097'152;
+        const QByteArray half = QByteArray("[0,0],").repeated(most / 2 - 1) + "[1,9]";
+        const QByteArray polygon
+            = "{ \"polygon\": [" + half + "], \"color\": \"#000000\", \"fill\": \"even-odd\" }";
+        QTest::newRow("as many as may be") << polygon + ",\n" + polygon << QString();
+        QTest::newRow("vertices of three polygons")
+            << polygon + ",\n" + polygon + ",\n" + polygon
+            << QStringLiteral(
+                   "line 5, column 14, primitives[2].polygon: with it the scene's shapes "
+                   "have 3145728 vertices, 20 for each character of a text; expected at most "
+                   "2097152");
+        QTest::newRow("characters")
+            << "{ \"text\": \"" + QByteArray(most / 20 + 1, 'a')
+                + "\", \"at\": [0, 0], \"height\": 9, \"color\": \"#000000\" }"
+            << QStringLiteral("line 3, column 11, primitives[0].text: with it the scene's shapes "
+                              "have 2097160 vertices");
+        QTest::newRow("values of one primitive")
+            << "{ \"polygon\": [" + QByteArray("0,").repeated(16'777'216) + "0]}"
+            << QStringLiteral(
+                   "line 3, column 33554443, primitives[0].polygon[16777214]: a value too "
+                   "many; expected at most 16777216 in a file without primitives, or in "
+                   "one primitive");
+    }
+    void whatTakesTooMuchMemoryIsRefusedWithItsPlace()
+    {
+        QFETCH(QByteArray, primitives);
+        QFETCH(QString, told);
+        const auto reading = readScene(sceneOfPrimitives(primitives));
+        const QString message = reading ? QString() : reading.error().message();
+        QCOMPARE(message.isEmpty(), told.isEmpty());
+        QVERIFY2(message.startsWith(told), qPrintable(message));
+    }
+
+    void survivesAnyByteThatIsWrong()
+    {
+        constexpr std::array wrongBytes = {'\0', '"', '{', ']', '9', '-', '\\', '\xff'};
+        for (const ShapeExample &example : shapeExamples()) {
+            forEachDamaged(sceneOfPrimitives(example.text), wrongBytes,
+                           [](const QByteArray &damaged) {
+                               const Result<SceneReading> reading = readScene(damaged);
+                               if (!reading)
+                                   QVERIFY(!reading.error().message().isEmpty());
+                               else
+                                   QVERIFY(readScene(writeScene(reading->scene)).isOk());
+                           });
+        }
+    }
+
+    void memoryIsReportedBeforeAllocation()
+    {
+        const QByteArray camera = "'camera': { 'eye': [0, 0, 5] },";
+        const QByteArray sphere = "{ 'sphere': [0, 0, 0], 'radius': 1, 'segments': [1024, 1024] }";
+        QVERIFY(readScene(sceneOf(camera, sphere)));
+        const QString error = faultOf(sceneOf(camera, sphere + ", " + sphere));
+        QVERIFY2(error.startsWith(QStringLiteral(
+                     "primitives[1].sphere: the scene's solids are cut into 4190208 triangles, ")),
+                 qPrintable(error));
+        QVERIFY2(error.endsWith(QStringLiteral(" MiB; expected at most 2097152 triangles")),
+                 qPrintable(error));
+    }
 };
 
 PIXELPLUMB_TEST(TestSceneFaults)

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/geometry/appearance.h"
-#include "core/space/camera.h"
+#include "core/scene/scene.h"
 
 #include <QByteArray>
 #include <QStringList>
@@ -11,12 +10,9 @@
 
 namespace pixelplumb {
 
-/// The lines of a scene file in the folder that say how its triangles look, without defaults;
-/// readAppearance() reads them back.
-QByteArray appearanceText(const Appearance &appearance, const QString &folder);
-
-/// "{ \"projection\": \"perspective\", … }".
-QByteArray cameraText(const Camera &camera);
+/// What a scene in the folder says before its primitives, a line a field; those of its appearance
+/// without defaults. readSurroundings() reads them back.
+QByteArray surroundingsText(const Scene &scene, const QString &folder);
 
 /// A field of a scene file as a form shows it: texts without their quotation marks.
 struct FieldText {

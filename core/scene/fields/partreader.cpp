@@ -1,0 +1,227 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/scene/fields/partreader.h"
+
+#include "core/scene/fields/scenefields.h"
+#include "core/scene/text/choicereader.h"
+#include "core/scene/text/colourreader.h"
+#include "core/space/spacevector.h"
+
+#include <cmath>
+
+namespace pixelplumb {
+
+namespace {
+
+/// Directions count as parallel when the sine of their angle is smaller.
+constexpr double smallestSine = 1e-9;
+
+template <class Value>
+constexpr bool isRequired = false;
+template <class Value>
+constexpr bool isRequired<Required<Value>> = true;
+
+/// Reads parts by their lists of fields; a field that is missing keeps its value.
+class PartReader {
+public:
+    PartReader(JsonReader &json, NumberReader &numbers, ReferredFiles &files)
+        : m_json(json)
+        , m_numbers(numbers)
+        , m_files(files)
+    {
+    }
+
+    template <class Part>
+    void readFields(const JsonNode &node, Part &part)
+    {
+        eachField(part, [&](const char *name, auto &&value) { readField(node[name], value); });
+    }
+
+private:
+    template <class Value>
+    void readField(const JsonNode &node, Value &value)
+    {
+        if ((isRequired<Value> || !node.isMissing()) && !m_json.hasFailed())
+            read(node, value);
+    }
+    template <class Part>
+    void readObject(const JsonNode &node, Part &part)
+    {
+        m_json.expectObject(node, fieldNames(part));
+        readFields(node, part);
+    }
+
+    template <class Value>
+    void read(const JsonNode &node, const Required<Value> &field)
+    {
+        read(node, field.value);
+    }
+    template <class Value>
+    void read(const JsonNode &node, std::optional<Value> &value)
+    {
+        read(node, value.emplace());
+    }
+    template <class Number>
+    void read(const JsonNode &node, const NumberWithin<Number> &field)
+    {
+        field.number = Number(m_json.integer(node, field.first, field.last));
+    }
+    void read(const JsonNode &node, const NumberBetween<double> &field)
+    {
+        field.number = m_numbers.real(node);
+        if (!(field.number > field.above && field.number < field.below))
+            m_json.fail(node, describe(node),
+                        std::isinf(field.below) ? QStringLiteral("more than %1").arg(field.above)
+                                                : QStringLiteral("more than %1 and less than %2")
+                                                      .arg(field.above)
+                                                      .arg(field.below));
+    }
+    template <class Choice, class Choices>
+    void read(const JsonNode &node, const ChoiceOf<Choice, Choices> &field)
+    {
+        readChoice(m_json, node, field.all, field.choice);
+    }
+    void read(const JsonNode &node, const FirstPixelOf<FrameSpec> &field)
+    {
+        const std::vector<JsonNode> pixel = m_json.array(node, 2);
+        read(pixel[0], NumberWithin{field.frame.firstColumn, -largestPixel, largestPixel});
+        read(pixel[1], NumberWithin{field.frame.firstRow, -largestPixel, largestPixel});
+    }
+    void read(const JsonNode &node, std::string &text) { text = m_json.string(node).toStdString(); }
+    void read(const JsonNode &node, VariantSet &variants)
+    {
+        for (const JsonNode &each : m_json.array(node)) {
+            Variant variant = allVariants.front();
+            readChoice(m_json, each, allVariants, variant);
+            variants = variants.with(variant);
+        }
+    }
+    void read(const JsonNode &node, Colour &colour) { colour = readColour(m_json, node); }
+    void read(const JsonNode &node, LatticePoint &point) { point = m_numbers.position(node); }
+    void read(const JsonNode &node, Vector3 &vector) { vector = m_numbers.vector(node); }
+
+    void read(const JsonNode &node, FrameSpec &frame)
+    {
+        readObject(node, frame);
+        if (const qint64 area = qint64(frame.width) * frame.height; area > largestFrameArea)
+            m_json.fail(node["width"],
+                        QStringLiteral("%1 × %2 are %3 pixels")
+                            .arg(frame.width)
+                            .arg(frame.height)
+                            .arg(area),
+                        QStringLiteral("at most %1 pixels").arg(largestFrameArea));
+    }
+    void read(const JsonNode &node, Motion &motion) { readObject(node, motion); }
+
+    void read(const JsonNode &node, Camera &camera)
+    {
+        m_json.expectObject(
+            node, {"projection", "eye", "target", "up", "fieldOfView", "height", "near", "far"});
+        readFields(node, camera);
+        const bool isPerspective = camera.projection == Projection::Perspective;
+        const auto own = QLatin1String(isPerspective ? "fieldOfView" : "height");
+        const auto others = QLatin1String(isPerspective ? "height" : "fieldOfView");
+        if (const JsonNode foreign = node[others]; !foreign.isMissing())
+            m_json.fail(foreign,
+                        QStringLiteral("“%1” of a camera that is %2")
+                            .arg(others, nameText(nameOf(camera.projection))),
+                        QStringLiteral("“%1”").arg(own));
+        const JsonNode far = node["far"];
+        if (camera.far <= camera.near)
+            m_json.fail(far.isMissing() ? node : far,
+                        QStringLiteral("near %1 and far %2").arg(camera.near).arg(camera.far),
+                        "a far plane behind the near one");
+        checkDirections(node, camera);
+    }
+    void checkDirections(const JsonNode &node, const Camera &camera)
+    {
+        using Vector = SpaceVector<double>;
+        const Vector sight = Vector(camera.target) - Vector(camera.eye);
+        const Vector upwards(camera.up);
+        const JsonNode up = node["up"];
+        if (sight.isZero())
+            m_json.fail(node, "eye and target are one point",
+                        "two points, between which the camera looks");
+        if (upwards.isZero())
+            m_json.fail(up, "a direction of length 0", "the direction that is up");
+        if (lengthOf(cross(sight, upwards)) <= smallestSine * lengthOf(sight) * lengthOf(upwards))
+            m_json.fail(up.isMissing() ? node : up, "up is parallel to the view from eye to target",
+                        "a direction across it");
+    }
+
+    void read(const JsonNode &node, std::shared_ptr<const Texture> &texture)
+    {
+        const QString name = m_json.string(node);
+        if (m_json.hasFailed())
+            return;
+        if (const auto read = m_files.texture(name))
+            texture = *read;
+        else
+            m_json.fail(node, QStringLiteral("%1: %2").arg(read.error().place, read.error().found),
+                        read.error().expected);
+    }
+    void read(const JsonNode &node, std::vector<Material> &materials)
+    {
+        if (!node.isObject())
+            m_json.fail(node, describe(node), "an object with a material for each name");
+        for (const QString &name : node.keys()) {
+            readObject(node[name], materials.emplace_back());
+            materials.back().name = name.toStdString();
+        }
+    }
+
+    void read(const JsonNode &node, std::vector<Light> &lights)
+    {
+        const std::vector<JsonNode> nodes = m_json.array(node);
+        if (nodes.size() > mostLights)
+            m_json.fail(node, QStringLiteral("%1 lights").arg(nodes.size()),
+                        QStringLiteral("at most %1").arg(mostLights));
+        for (const JsonNode &each : nodes) {
+            if (m_json.hasFailed())
+                break;
+            read(each, lights.emplace_back());
+        }
+    }
+    void read(const JsonNode &node, Light &light)
+    {
+        m_json.expectObject(node, {"direction", "position", "color"});
+        const bool isPositional = node["direction"].isMissing();
+        if (isPositional == node["position"].isMissing())
+            m_json.fail(node,
+                        isPositional ? QStringLiteral("a light without direction and position")
+                                     : QStringLiteral("both direction and position"),
+                        "one of the two");
+        light.kind = isPositional ? Light::Kind::Positional : Light::Kind::Directional;
+        readFields(node, light);
+        if (!isPositional && light.at == std::array<Attribute, 3>{})
+            m_json.fail(node["direction"], "a direction of length 0",
+                        QStringLiteral("a component of ±1/%1 or more").arg(attributeOne));
+    }
+    void read(const JsonNode &node, std::array<Attribute, 3> &at)
+    {
+        at = m_numbers.attributes<3>(node);
+    }
+
+    JsonReader &m_json;
+    NumberReader &m_numbers;
+    ReferredFiles &m_files;
+};
+
+} // namespace
+
+Appearance readAppearance(JsonReader &json, NumberReader &numbers, ReferredFiles &files,
+                          const JsonNode &root)
+{
+    Appearance appearance;
+    PartReader(json, numbers, files).readFields(root, appearance);
+    return appearance;
+}
+
+QStringList surroundingKeys() { return fieldNames<Scene>() + fieldNames<Appearance>(); }
+
+void readSurroundings(JsonReader &json, NumberReader &numbers, ReferredFiles &files, Scene &scene)
+{
+    PartReader(json, numbers, files).readFields(json.root(), scene);
+    scene.appearance = readAppearance(json, numbers, files, json.root());
+}
+
+} // namespace pixelplumb
