@@ -6,6 +6,7 @@
 #include "core/grade/diagnose/undecidable.h"
 #include "core/grade/pictures/drawntwice.h"
 #include "core/scene/files/inputrecord.h"
+#include "core/scene/text/byteordermark.h"
 #include "core/scene/text/colourtext.h"
 
 #include <QJsonArray>
@@ -89,7 +90,7 @@ Side readSide(const QString &path, const Margin &margin)
     const QByteArray content = readInput(path, largestPictureFile);
     const QString formats
         = pictureFormatsText() + QStringLiteral(", or a scene as a JSON object: {…}");
-    const QByteArray text = content.trimmed();
+    const QByteArray text = withoutByteOrderMark(content).trimmed();
     if (text.startsWith('['))
         refuse({path, QStringLiteral("a list in JSON is no scene"), formats});
     if (!text.startsWith('{'))

@@ -67,18 +67,21 @@ QString edgeText(const QString &name, const oracle::EdgeVerdict &edge, const Tra
                                  : distances.join(QStringLiteral(", ")));
 }
 
-QString spanText(const PixelAttempt &attempt, Antialiasing antialiasing)
+QString spanText(const PixelAttempt &attempt, const TracedScene &traced)
 {
     const SpanRecord &span = *attempt.span;
     const SpanWords words = wordsFor(span.place.axis);
-    const bool isByArea = antialiasing == Antialiasing::Area;
+    const bool isByArea = traced.antialiasing() == Antialiasing::Area;
     QString text = QStringLiteral("    ") + spanPlaceText(attempt);
     if (span.lower.isNone())
         return text;
     const std::int64_t first = isByArea ? span.firstDrawn : span.firstSample;
     const std::int64_t end = isByArea ? span.endDrawn : span.endSample;
-    text += QStringLiteral(": %1 = %2, %3 = %4, ")
-                .arg(words.lower, toText(span.lower), words.upper, toText(span.upper));
+    const QString exact = hasExactBounds(span, traced.scene.settings.arithmetic)
+        ? QStringLiteral("exact ")
+        : QString();
+    text += QStringLiteral(": %1%2 = %3, %1%4 = %5, ")
+                .arg(exact, words.lower, toText(span.lower), words.upper, toText(span.upper));
     if (first >= end)
         return text + QStringLiteral("no ") + words.samples;
     text += QStringLiteral("%1%2 %3 … %4")
@@ -143,7 +146,7 @@ QJsonObject jsonOf(const Quantity &used, const Quantity &exact)
         {QStringLiteral("error"), exact.isNone() ? QJsonValue() : jsonOf(errorOf(used, exact))}};
 }
 
-QJsonObject spanJson(const PixelAttempt &attempt)
+QJsonObject spanJson(const PixelAttempt &attempt, Arithmetic arithmetic)
 {
     const SpanRecord &span = *attempt.span;
     const SpanWords words = wordsFor(span.place.axis);
@@ -155,6 +158,8 @@ QJsonObject spanJson(const PixelAttempt &attempt)
         return json;
     json[words.lower] = jsonOf(span.lower);
     json[words.upper] = jsonOf(span.upper);
+    json[QStringLiteral("boundsAreExact")]
+        = arithmetic == Arithmetic::Exact || hasExactBounds(span, arithmetic);
     json[QStringLiteral("first")] = qint64(span.firstSample);
     json[QStringLiteral("last")] = qint64(span.endSample - 1);
     return json;
@@ -172,7 +177,7 @@ QJsonObject jsonOf(const QString &name, const oracle::EdgeVerdict &edge)
             {QStringLiteral("distance"), jsonOf(edge.distance)}};
 }
 
-QJsonObject jsonOf(const PixelAttempt &attempt)
+QJsonObject jsonOf(const PixelAttempt &attempt, Arithmetic arithmetic)
 {
     QJsonObject json{{QStringLiteral("kind"), nameOf(attempt.kind)},
                      {QStringLiteral("primitive"), qint64(attempt.primitive)},
@@ -180,7 +185,7 @@ QJsonObject jsonOf(const PixelAttempt &attempt)
                      {QStringLiteral("covered"), attempt.verdict.covered},
                      {QStringLiteral("reason"), attempt.reason}};
     if (attempt.span)
-        json[QStringLiteral("span")] = spanJson(attempt);
+        json[QStringLiteral("span")] = spanJson(attempt, arithmetic);
     if (attempt.hasEdges()) {
         QJsonArray edges;
         for (std::size_t edge = 0; edge < attempt.edgeNames.size(); ++edge)
@@ -243,7 +248,7 @@ QStringList pixelLines(const PixelReport &report)
             line.insert(line.indexOf(u':'), QStringLiteral(", step %1").arg(attempt.step + 1));
         lines.append(line);
         if (attempt.span)
-            lines.append(spanText(attempt, traced.antialiasing()));
+            lines.append(spanText(attempt, traced));
         for (std::size_t channel = 0; attempt.written && channel < 3; ++channel)
             lines.append(channelText(attempt, channel));
         for (const PixelAttempt::Carried &number : attempt.carried)
@@ -267,7 +272,7 @@ QJsonObject pixelJson(const PixelReport &report)
 {
     QJsonArray attempts;
     for (const PixelAttempt &attempt : report.history.attempts)
-        attempts.append(jsonOf(attempt));
+        attempts.append(jsonOf(attempt, report.traced.scene.settings.arithmetic));
     return {
         {QStringLiteral("x"), qint64(report.x)},
         {QStringLiteral("y"), qint64(report.y)},

@@ -2,6 +2,7 @@
 #include "core/compare/deviation.h"
 
 #include "core/compare/exactbounds.h"
+#include "core/methods/stroketruth.h"
 #include "core/oracle/oracle.h"
 #include "core/oracle/strokeoracle.h"
 #include "core/runs/undrawn.h"
@@ -34,7 +35,8 @@ bool isTrulyCovered(const JudgedRun &run, std::size_t primitive, std::int64_t x,
         return false;
     if (!primitives.isTriangle(primitive))
         return oracle::covers(primitives.shape(primitive), primitives.appearance,
-                              run.traced->scene.frame.origin, x, y);
+                              strokeTruthOf(run.traced->method), run.traced->scene.frame.origin, x,
+                              y);
     const Triangle &triangle = primitives.triangles[primitive];
     return isInBox(triangle, x, y)
         && oracle::covers(triangle, boundaryRuleOf(run.traced->scene), x, y);

@@ -90,10 +90,10 @@ QString EdgeWalkNames::heading(const EdgeWalkSpanState &state) const
 QString EdgeWalkNames::coveredSample(SpanBound bound, Interval covered) const
 {
     if (bound == SpanBound::Lower)
-        return filled(ownsFirst(covered) ? QStringLiteral("⌈{a}_{lo}⌉")
-                                         : QStringLiteral("⌊{a}_{lo}⌋ + 1"));
-    return filled(ownsLast(covered) ? QStringLiteral("⌊{a}_{hi}⌋")
-                                    : QStringLiteral("⌈{a}_{hi}⌉ − 1"));
+        return biased(filled(ownsFirst(covered) ? QStringLiteral("⌈{a}_{lo}⌉")
+                                                : QStringLiteral("⌊{a}_{lo}⌋ + 1")));
+    return biased(filled(ownsLast(covered) ? QStringLiteral("⌊{a}_{hi}⌋")
+                                           : QStringLiteral("⌈{a}_{hi}⌉ − 1")));
 }
 
 QString EdgeWalkNames::biased(QString rounding) const

@@ -66,10 +66,9 @@ public:
 
     /// "Column 27, second half", "Row 3, first trapezoid"; of a triangle without area "Column 27".
     QString heading(const EdgeWalkSpanState &state) const;
-    /// The first or last covered sample of a span: "⌈y_B⌉", "⌈y_T⌉ − 1" where y_T is not covered.
+    /// The first or last covered sample of a span: "⌈y_B⌉", "⌈y_T⌉ − 1" where y_T is not covered,
+    /// "⌈y_B − β_B⌉" in the direct form, which adds its bias first.
     QString coveredSample(SpanBound bound, Interval covered) const;
-    /// The rounding with the bias that the direct form adds first: "⌈y_B − β_B⌉".
-    QString biased(QString rounding) const;
 
     /// Where a bound's position or colour comes from in this span: `title` is the number's title,
     /// `value` its letter at a vertex and `rate` the letter of its change ("y_B", "y", "m").
@@ -77,6 +76,8 @@ public:
                          const QString &value, const QString &rate) const;
 
 private:
+    /// A rounding with the direct form's bias.
+    QString biased(QString rounding) const;
     /// The title of the same number at the other bound.
     QString exchanged(const QString &title) const;
 

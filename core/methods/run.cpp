@@ -2,6 +2,7 @@
 #include "core/methods/run.h"
 
 #include "core/methods/method.h"
+#include "core/methods/stroketruth.h"
 #include "core/oracle/truepicture.h"
 
 #include <algorithm>
@@ -96,7 +97,7 @@ std::unique_ptr<ScanTrace> Run::trace(FrameView frame, const TraceOptions &optio
 void Run::drawTruth(FrameView frame) const
 {
     withDrawn(*this, [&](const Primitives &drawn) {
-        oracle::drawPicture(drawn, settings, shading(), frame);
+        oracle::drawPicture(drawn, settings, shading(), frame, strokeTruthOf(method));
     });
 }
 

@@ -115,7 +115,7 @@ QString WalkListing::spans(FillRule rule, FrameOrigin origin) const
 void WalkListing::addSpans()
 {
     const auto text = [this](FillRule rule, FrameOrigin origin) {
-        return QStringLiteral("for each {span} {c} from %1:").arg(spans(rule, origin));
+        return QStringLiteral("for each {span} {c} of the frame from %1:").arg(spans(rule, origin));
     };
     add(0, text(FillRule::Closed, FrameOrigin::BottomLeft), everySpan);
     addRules(text);
@@ -189,26 +189,26 @@ QString WalkListing::orderedWithSlopes() const
 {
     return QStringLiteral("y_B, y_T, m_B, m_T ← y_ij, y₀₂, m_ij, m₀₂ if y_ij < y₀₂, or y_ij = y₀₂ "
                           "and m_ij < m₀₂, else y₀₂, y_ij, m₀₂, m_ij")
-        + alike();
+        + alike() + QStringLiteral(" — by exact y and m");
 }
 
 /// Tells the two bounds apart. Only the closed rule draws where rounding or a variant takes the
 /// edges past each other.
 void WalkListing::addOrder()
 {
-    // Where both are equal, the kernel goes on along L₀₂; in rounded numbers the colours tell.
-    const QString compared = isDirect() ? "{a}_ij ≤ {a}₀₂" : "{a}_ij < {a}₀₂";
+    // A column's lower edge is L_ij where A > 0; rounded bounds of equal {a} differ in colour.
+    const QString compared = isDirect() ? "{a}_ij ≤ {a}₀₂"
+        : isExact()                     ? "{a}_ij < {a}₀₂"
+                                        : "{a}_ij < {a}₀₂, or {a}_ij = {a}₀₂ and A > 0";
     const QString area = " — A is twice the area, above 0 where L₀₂ has the larger {a}";
-    add(1, ordered(compared), everySpan, LineOf::Area);
-    for (const Variant variant :
-         {Variant::NoEdgePreStep, Variant::DivisorMinusOne, Variant::DivisorPlusOne})
-        m_code.back().varied.push_back(
-            {VariantSet().with(variant),
-             ordered("{a}_ij < {a}₀₂, or {a}_ij = {a}₀₂ and A > 0") + area});
+    const QString remark = isExact() ? QStringLiteral(" — by exact {a}")
+        : isDirect()                 ? QString()
+                                     : area;
+    add(1, ordered(compared) + remark, everySpan, LineOf::Area);
     addRules([&](FillRule rule, FrameOrigin) {
         if (isExact() && !isRow() && rule == FillRule::TopLeft)
             return orderedWithSlopes();
-        return isExact() ? ordered(compared) : ordered("A > 0") + area;
+        return isExact() ? ordered(compared) + remark : ordered("A > 0") + area;
     });
     add(1,
         QStringLiteral("{a}_{lo}, {a}_{hi} ← {a}₀, {a}₂ if {c}₀ = {c}₂, else {a}₀₂, {a}₀₂")
@@ -224,7 +224,9 @@ void WalkListing::addOrder()
 void WalkListing::addSamples()
 {
     const auto text = [this](FillRule rule, FrameOrigin origin) {
-        return QStringLiteral("for each {across} {a} from %1:").arg(samples(rule, origin));
+        return QStringLiteral("for each {across} {a} of the frame from %1:%2")
+            .arg(samples(rule, origin),
+                 isExact() ? QStringLiteral(" — by exact bounds in every arithmetic") : QString());
     };
     add(1, text(FillRule::Closed, FrameOrigin::BottomLeft), {First, Next});
     addRules(text);
@@ -241,9 +243,8 @@ QString WalkListing::samples(FillRule rule, FrameOrigin origin) const
             .arg(origin == FrameOrigin::TopLeft ? QChar(u'≤') : QChar(u'<'))
             .arg(origin == FrameOrigin::TopLeft ? QChar(u'>') : QChar(u'≥'));
     const Interval interval = columnIntervals(rule).rows;
-    return m_names.biased(m_names.coveredSample(SpanBound::Lower, interval))
-        + QStringLiteral(" to ")
-        + m_names.biased(m_names.coveredSample(SpanBound::Upper, interval));
+    return m_names.coveredSample(SpanBound::Lower, interval) + QStringLiteral(" to ")
+        + m_names.coveredSample(SpanBound::Upper, interval);
 }
 
 } // namespace pixelplumb

@@ -147,11 +147,13 @@ void drawStrokes(const Primitives &primitives, const ScanSettings &settings,
     }
 }
 
-bool covers(const Shape &shape, const Appearance &appearance, FrameOrigin origin, std::int64_t x,
-            std::int64_t y)
+bool covers(const Shape &shape, const Appearance &appearance, StrokeTruth strokes,
+            FrameOrigin origin, std::int64_t x, std::int64_t y)
 {
     const Antialiasing antialiasing = truthOf(appearance).antialiasing;
-    if (antialiasing == Antialiasing::None || !isStroke(shape))
+    const bool isNearest
+        = antialiasing == Antialiasing::None && strokes == StrokeTruth::NearestPixels;
+    if (isNearest || !isStroke(shape))
         return covers(shape, origin, x, y);
     const OutlinePoint centre = {x * outlinePixel, y * outlinePixel};
     FrameView pixel;

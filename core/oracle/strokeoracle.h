@@ -10,10 +10,17 @@
 /// stroke. Sample coordinates.
 namespace pixelplumb::oracle {
 
+/// What lines and curves are where nothing asks for their antialiasing.
+enum class StrokeTruth {
+    NearestPixels, ///< at each step the nearest pixel
+    PixelWide, ///< the pixels whose one sample a stroke covers
+};
+
 /// Draws the true picture of lines, outlined circles and ellipses, and Bézier curves over the
 /// frame's content, in opaque pixels; other shapes are not drawn. With area antialiasing each
 /// stroke is blended over the pixels below. With 4 or 16 samples each sample keeps the colour, at
-/// that sample, of the last stroke that covers it, and a pixel is their mean.
+/// that sample, of the last stroke that covers it, and a pixel is their mean; without antialiasing
+/// its only sample is its centre.
 void drawStrokes(const Primitives &primitives, const ScanSettings &settings,
                  Antialiasing antialiasing, FrameView frame);
 
@@ -22,7 +29,7 @@ bool isStroke(const Shape &shape);
 
 /// Whether the true picture of a shape, antialiased where the appearance asks for it, has any part
 /// of the pixel.
-bool covers(const Shape &shape, const Appearance &appearance, FrameOrigin origin, std::int64_t x,
-            std::int64_t y);
+bool covers(const Shape &shape, const Appearance &appearance, StrokeTruth strokes,
+            FrameOrigin origin, std::int64_t x, std::int64_t y);
 
 } // namespace pixelplumb::oracle

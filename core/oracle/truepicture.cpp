@@ -4,7 +4,6 @@
 #include "core/oracle/effectoracle.h"
 #include "core/oracle/oracle.h"
 #include "core/oracle/shapeoracle.h"
-#include "core/oracle/strokeoracle.h"
 
 namespace pixelplumb::oracle {
 
@@ -23,13 +22,13 @@ Primitives inOneColour(Primitives primitives)
 }
 
 void drawShapes(const Primitives &primitives, const ScanSettings &settings,
-                Antialiasing antialiasing, FrameView frame)
+                Antialiasing antialiasing, StrokeTruth strokes, FrameView frame)
 {
-    const bool hasShares = antialiasing != Antialiasing::None;
-    if (hasShares)
+    const bool isWide = antialiasing != Antialiasing::None || strokes == StrokeTruth::PixelWide;
+    if (isWide)
         drawStrokes(primitives, settings, antialiasing, frame);
     for (const Shape &shape : primitives.shapes) {
-        if (!hasShares || !isStroke(shape))
+        if (!isWide || !isStroke(shape))
             draw(shape, settings.rounding, frame);
     }
 }
@@ -37,7 +36,7 @@ void drawShapes(const Primitives &primitives, const ScanSettings &settings,
 } // namespace
 
 void drawPicture(const Primitives &primitives, const ScanSettings &settings,
-                 const EffectPlan *shading, FrameView frame)
+                 const EffectPlan *shading, FrameView frame, StrokeTruth strokes)
 {
     if (shading) {
         drawEffects(primitives, settings, truthOf(primitives.appearance), frame);
@@ -47,9 +46,9 @@ void drawPicture(const Primitives &primitives, const ScanSettings &settings,
     }
     const EffectTruth what = truthOf(primitives.appearance);
     if (!what.smooth)
-        drawShapes(inOneColour(primitives), settings, what.antialiasing, frame);
+        drawShapes(inOneColour(primitives), settings, what.antialiasing, strokes, frame);
     else
-        drawShapes(primitives, settings, what.antialiasing, frame);
+        drawShapes(primitives, settings, what.antialiasing, strokes, frame);
 }
 
 } // namespace pixelplumb::oracle

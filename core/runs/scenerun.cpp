@@ -45,6 +45,26 @@ QString objectionToShapes(const SceneRun &run)
     return {};
 }
 
+/// What stays in the way of a scene of triangles once the method's own objection is met, by any of
+/// the rules that it names, since another fill rule may call for more. Methods named for that keep
+/// the settings.
+QString objectionOnceAdapted(const SceneRun &run)
+{
+    const Method &method = *run.method;
+    const ScanSettings &settings = run.scene.settings;
+    Scene met = run.scene;
+    met.settings = method.adapted(settings);
+    const std::vector<FillRule> rules
+        = method.supports(settings.fillRule) ? std::vector{settings.fillRule} : method.fillRules;
+    for (const FillRule rule : rules) {
+        met.settings.fillRule = rule;
+        const std::optional<EffectPlan> plan = SceneRun(met).plan;
+        if (plan && !method.objection(*plan, met.settings).isEmpty())
+            return method.objection(*plan, settings);
+    }
+    return {};
+}
+
 } // namespace
 
 SceneRun::SceneRun(const Scene &of, Primitives onSamples)
@@ -76,21 +96,9 @@ QString objectionTo(const SceneRun &run)
         return objection;
     if (!method.draws(PrimitiveKind::Triangle) || !scene.hasTriangles())
         return joinedObjections({objection, objectionToShapes(run)});
-    // What stays in the way once its own objection is met, since another fill rule may call for
-    // more; methods named for that keep the settings.
-    std::optional<SceneRun> met;
-    if (!objection.isEmpty()) {
-        Scene other = scene;
-        other.settings = method.adapted(scene.settings);
-        met.emplace(other);
-    }
-    const std::optional<EffectPlan> &plan = met ? met->plan : run.plan;
-    if (!plan)
-        return objection;
-    const bool areEffectsInTheWay
-        = !method.objection(*plan, met ? met->settings : scene.settings).isEmpty();
-    return joinedObjections(
-        {objection, areEffectsInTheWay ? method.objection(*plan, scene.settings) : QString()});
+    if (objection.isEmpty())
+        return run.plan ? method.objection(*run.plan, scene.settings) : objection;
+    return joinedObjections({objection, objectionOnceAdapted(run)});
 }
 
 QString objectionTo(const Scene &scene)

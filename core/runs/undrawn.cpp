@@ -53,7 +53,8 @@ QStringList undrawnAt(const Primitives &primitives, const Method &method, const 
             continue;
         const bool covers = primitives.isTriangle(i)
             ? oracle::covers(primitives.triangles[i], rule, x, y)
-            : oracle::covers(primitives.shape(i), primitives.appearance, rule.origin, x, y);
+            : oracle::covers(primitives.shape(i), primitives.appearance,
+                             oracle::StrokeTruth::NearestPixels, rule.origin, x, y);
         if (covers)
             undrawn.append(QStringLiteral("%1 %2").arg(nameOf(primitives.kindOf(i))).arg(i));
     }

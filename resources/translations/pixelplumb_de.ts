@@ -955,6 +955,50 @@
         <source>second trapezoid</source>
         <translation>zweites Trapez</translation>
     </message>
+    <message>
+        <source>pictures right</source>
+        <translation>Bilder richtig</translation>
+    </message>
+    <message>
+        <source>pictures undecidable</source>
+        <translation>Bilder unentscheidbar</translation>
+    </message>
+    <message>
+        <source>breaks runs</source>
+        <translation>verletzt runs</translation>
+    </message>
+    <message>
+        <source>breaks bounds</source>
+        <translation>verletzt bounds</translation>
+    </message>
+    <message>
+        <source>breaks range</source>
+        <translation>verletzt range</translation>
+    </message>
+    <message>
+        <source>breaks corners</source>
+        <translation>verletzt corners</translation>
+    </message>
+    <message>
+        <source>breaks count</source>
+        <translation>verletzt count</translation>
+    </message>
+    <message>
+        <source>breaks order</source>
+        <translation>verletzt order</translation>
+    </message>
+    <message>
+        <source>breaks translation</source>
+        <translation>verletzt translation</translation>
+    </message>
+    <message>
+        <source>breaks once</source>
+        <translation>verletzt once</translation>
+    </message>
+    <message>
+        <source>did not draw what invariants ask</source>
+        <translation>zeichnete nicht, was die Invarianten fragen</translation>
+    </message>
 </context>
 <context>
     <name>main</name>

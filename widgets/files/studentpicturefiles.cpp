@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/files/studentpicturefiles.h"
 
+#include "core/scene/text/byteordermark.h"
 #include "widgets/model/studentpicture.h"
 
 #include <QtWidgets>
@@ -23,7 +24,7 @@ bool isJson(const QString &path)
     QFile file(path);
     return path.endsWith(QLatin1String(".json"), Qt::CaseInsensitive)
         || (QFileInfo(path).isFile() && file.open(QIODevice::ReadOnly)
-            && file.read(sniffed).trimmed().startsWith('{'));
+            && withoutByteOrderMark(file.read(sniffed)).trimmed().startsWith('{'));
 }
 
 } // namespace

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/inspect/pixelgridpainter.h"
+#include "widgets/look/corewords.h"
 #include "widgets/look/numberformat.h"
 #include "widgets/look/symboltext.h"
 
@@ -189,23 +190,19 @@ void PixelGridPainter::paintSpanLabels()
         labels.push_back(label);
     };
     const auto numberText = [&](const Quantity &quantity) {
-        QString text = displayText(quantity, m_scene.arithmetic);
+        const QString mark
+            = m_scene.areBoundsExact ? coreWord(QStringLiteral("exact")) + u'\u00a0' : QString();
+        QString text = mark
+            + (mark.isEmpty() ? displayText(quantity, m_scene.arithmetic) : displayText(quantity));
         text.replace(QChar(0x2009), QChar(0x00a0)); // at this size a thin space is not noticed
         const double width = metrics.horizontalAdvance(text + QStringLiteral(" y_T = ↑"));
-        return width <= room - 14 ? text : shortDecimal(quantity, 4);
+        return width <= room - 14 ? text : mark + shortDecimal(quantity, 4);
     };
     const QString lower = isRow ? QStringLiteral("x_L") : QStringLiteral("y_B");
     const QString upper = isRow ? QStringLiteral("x_R") : QStringLiteral("y_T");
-    const bool isByArea = m_scene.antialiasing == Antialiasing::Area;
-    const QString axis = lower.first(1);
-    const QString last = isByArea              ? axis + QStringLiteral("_last")
-        : m_scene.fillRule == FillRule::Closed ? u'⌊' + upper + u'⌋'
-                                               : u'⌈' + upper + QStringLiteral("⌉−1");
     add(lower, numberText(span.lower), span.lower.toDouble(), Sign::LowerEdge);
     add(upper, numberText(span.upper), span.upper.toDouble(), Sign::UpperEdge);
-    const QString first = isByArea           ? axis + QStringLiteral("_first")
-        : m_scene.fillRule == FillRule::Open ? u'⌊' + lower + QStringLiteral("⌋+1")
-                                             : u'⌈' + lower + u'⌉';
+    const auto &[first, last] = m_scene.roundings;
     add(first, QString::number(span.firstSample), double(span.firstSample), Sign::LowerEdge);
     add(last, QString::number(span.endSample - 1), double(span.endSample - 1), Sign::UpperEdge);
     spread(labels, lineHeight, top, bottom);

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/inspect/pixelgridscene.h"
 
+#include "core/number/wholenumber.h"
 #include "core/oracle/oracle.h"
+#include "core/runs/explain/edgerefusal.h"
 #include "widgets/look/displayoptions.h"
 #include "widgets/model/playhead.h"
 
@@ -33,6 +35,46 @@ QString nameAmongCells(const SpanPlace &place, const ViewMapping &mapping)
     if (place.axis == SpanAxis::Row && at >= cells.firstRow && at < cells.endRow())
         return QCoreApplication::translate("pixelplumb::PixelGrid", "row %1").arg(at);
     return {};
+}
+
+std::int64_t ceilingOf(const Quantity &quantity)
+{
+    return quantity.isRational()
+        ? std::int64_t(-floorDivide<Int128>(-quantity.numerator(), quantity.denominator()))
+        : ceilOf(quantity.toDouble());
+}
+
+/// The heading of the number that a method rounds to a bound's sample, if it shows one.
+QString headingOf(const std::vector<NumberDescription> &numbers, const QString &idStart)
+{
+    for (const NumberDescription &number : numbers) {
+        const bool rounds = number.title.contains(u'⌈') || number.title.contains(u'⌊');
+        if (rounds && number.id.startsWith(idStart))
+            return QString(number.title).remove(u' ');
+    }
+    return {};
+}
+
+std::array<QString, 2> roundingsOf(const TracedScene &traced, std::size_t index)
+{
+    const SpanRecord span = traced.trace->span(index);
+    const bool isRow = span.place.axis == SpanAxis::Row;
+    if (traced.antialiasing() == Antialiasing::Area)
+        return isRow ? std::array{QStringLiteral("x_first"), QStringLiteral("x_last")}
+                     : std::array{QStringLiteral("y_first"), QStringLiteral("y_last")};
+    const std::vector<NumberDescription> numbers = traced.trace->spanWords(index).numbers;
+    std::array<QString, 2> roundings = {headingOf(numbers, QStringLiteral("first_")),
+                                        headingOf(numbers, QStringLiteral("last_"))};
+    if (!roundings[0].isEmpty() && !roundings[1].isEmpty())
+        return roundings;
+    // An edge to which the rule gives its samples is rounded otherwise than one that loses them.
+    const FillRule rule = traced.scene.settings.fillRule;
+    const bool ownsFirst = rule != FillRule::Open && span.firstSample == ceilingOf(span.lower);
+    const bool ownsLast = rule == FillRule::Closed || span.endSample != ceilingOf(span.upper);
+    roundings = {ownsFirst ? QStringLiteral("⌈%1⌉") : QStringLiteral("⌊%1⌋+1"),
+                 ownsLast ? QStringLiteral("⌊%1⌋") : QStringLiteral("⌈%1⌉−1")};
+    return {roundings[0].arg(isRow ? QStringLiteral("x_L") : QStringLiteral("y_B")),
+            roundings[1].arg(isRow ? QStringLiteral("x_R") : QStringLiteral("y_T"))};
 }
 
 class CellMaker {
@@ -137,14 +179,15 @@ PixelGridScene pixelGridScene(const Playhead &playhead, const DisplayOptions &op
     PixelGridScene scene;
     scene.origin = traced.scene.frame.origin;
     scene.arithmetic = traced.scene.settings.arithmetic;
-    scene.fillRule = traced.scene.settings.fillRule;
-    scene.antialiasing = traced.antialiasing();
     scene.picked = playhead.pickedPixel();
     scene.currentPixel = playhead.currentPixel();
     if (const std::optional<std::size_t> span = playhead.currentSpan()) {
         scene.span = trace.span(*span);
-        if (!scene.span->lower.isNone())
+        if (!scene.span->lower.isNone()) {
             scene.boundsOf = nameAmongCells(scene.span->place, mapping);
+            scene.roundings = roundingsOf(traced, *span);
+            scene.areBoundsExact = hasExactBounds(*scene.span, scene.arithmetic);
+        }
         const std::size_t decided
             = trace.samplesDoneAt(playhead.position()) - trace.firstSampleOf(*span);
         scene.firstCandidate = scene.span->firstDrawn + std::int64_t(decided);

@@ -52,9 +52,10 @@ struct PixelGridScene {
     std::int64_t endCandidate = 0;
     FrameOrigin origin = FrameOrigin::BottomLeft;
     Arithmetic arithmetic = Arithmetic::Exact;
-    FillRule fillRule = FillRule::Closed;
-    /// With area coverage the span's rows are not just those that its bounds cover.
-    Antialiasing antialiasing = Antialiasing::None;
+    /// How the span's first and last sample follow from its bounds, "⌈y_B⌉" and "⌊y_T⌋"; where the
+    /// area decides, only their names.
+    std::array<QString, 2> roundings;
+    bool areBoundsExact = false; ///< in a run that computes others, or none, in floats
 
     /// The pixel at a place along the current span, a column or a row.
     QPoint onSpan(std::int64_t along) const

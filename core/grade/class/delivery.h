@@ -20,7 +20,8 @@ struct Delivery {
     bool exceededTotalCpuTime = false; ///< … for the computing time of all its processes
     QString trace; ///< see GradedScene
     std::optional<QString> note; ///< see GradedScene
-    /// Of the program, where they are asked for; none: it could not draw all triangles.
+    /// Of the program, where they are asked for; none: it broke none and did not draw all
+    /// triangles.
     std::optional<std::vector<Invariant>> brokenInvariants;
 };
 

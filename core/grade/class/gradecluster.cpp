@@ -75,6 +75,9 @@ public:
             return ungradedText(*submission.gradingError);
         if (submission.verdict == GradeVerdict::Nothing)
             return faultTitle(submission);
+        const QStringList lost = submission.lostInvariants();
+        if (!lost.isEmpty() && submission.verdict != GradeVerdict::Wrong)
+            return verdictText(submission);
         if (submission.verdict == GradeVerdict::Right)
             return submission.lacksColours() ? rasterText(submission) : verdictText(submission);
         const QString sets = submission.isExplained()
@@ -132,6 +135,26 @@ private:
 };
 
 } // namespace
+
+QString verdictText(const GradedSubmission &submission)
+{
+    if (submission.gradingError)
+        return QStringLiteral(QT_TRANSLATE_NOOP("core", "cannot be graded"));
+    const QString name = nameOf(submission.verdict);
+    const QStringList lost = submission.lostInvariants();
+    const bool isOfPictures = submission.verdict != GradeVerdict::Wrong && !lost.isEmpty()
+        && !submission.lacksColours();
+    const QString told = submission.lacksColours() ? name + QStringLiteral(" in coverage")
+        : isOfPictures                             ? QStringLiteral("pictures ") + name
+                                                   : name;
+    return (QStringList(told) + lost).join(QStringLiteral(", "));
+}
+
+QString rasterText(const GradedSubmission &submission)
+{
+    return QStringLiteral("%1 as far as a raster tells: colours are not in it")
+        .arg(nameOf(submission.verdict));
+}
 
 std::vector<GradeCluster> clustersOf(const GradeReport &report)
 {

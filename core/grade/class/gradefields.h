@@ -50,6 +50,7 @@ void eachField(Self &self, const Visit &visit)
     visit("trace", self.trace);
     visit("note", self.note);
     visit("checks", self.checks);
+    visit("brokenInvariants", self.brokenInvariants);
     visit("explanations", self.explanations);
 }
 

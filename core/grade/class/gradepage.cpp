@@ -132,7 +132,7 @@ private:
                            pointsHtml(assignment.points()),
                            submission.review.isAccepted ? QStringLiteral(", accepted") : QString(),
                            html(sentencesFor(submission, assignment.hint).join(u'\n')));
-        if (submission.verdict == GradeVerdict::Right)
+        if (submission.verdict == GradeVerdict::Right && submission.lostInvariants().isEmpty())
             return;
         m_page += QStringLiteral("<details%1><summary>For the assistant</summary><p>%2</p>\n")
                       .arg(open, html(sentencesFor(submission, HintLevel::Full).join(u'\n')));

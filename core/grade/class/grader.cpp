@@ -124,6 +124,11 @@ GradedScene Grader::judge(std::size_t scene, const Delivery &delivery) const
     graded.run = delivery.run;
     graded.trace = delivery.trace;
     graded.note = delivery.note;
+    if (delivery.brokenInvariants) {
+        graded.brokenInvariants.emplace();
+        for (const Invariant invariant : *delivery.brokenInvariants)
+            *graded.brokenInvariants += nameOf(invariant);
+    }
     PictureDiff diff;
     const bool wantsColours = asked.points[std::size_t(Check::Colours)] > 0;
     const auto add = [&graded](const QString &note) {

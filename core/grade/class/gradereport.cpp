@@ -34,16 +34,15 @@ QString differencesText(const GradedScene &scene)
 
 void appendClass(const GradedSubmission &submission, QStringList &lines)
 {
-    if (submission.lacksColours()) {
+    const bool isRaster = submission.lacksColours();
+    if (isRaster)
         lines += rasterText(submission);
-        return;
-    }
     for (const GradedScene &scene : submission.scenes) {
         if (!scene.fault.isEmpty())
             lines += QStringLiteral("%1: %2").arg(scene.scene, scene.fault);
         QStringList failed;
         for (const GradedCheck &check : scene.checks) {
-            if (!check.isPassed)
+            if (!check.isPassed && !(isRaster && check.check == Check::Colours))
                 failed += nameOf(check.check);
         }
         if (scene.fault.isEmpty() && !failed.isEmpty())
@@ -170,11 +169,31 @@ double GradedSubmission::pointsOfChecks() const
 
 bool GradedSubmission::lacksColours() const
 {
-    const auto isUnpassed = [](const GradedCheck &check) { return !check.isPassed; };
+    const auto isUnpassed = [](const GradedCheck &check) {
+        return !check.isPassed && check.check != Check::Invariants;
+    };
     return (verdict == GradeVerdict::Right || verdict == GradeVerdict::Undecidable)
         && std::ranges::any_of(scenes, [&](const GradedScene &scene) {
                return std::ranges::any_of(scene.checks, isUnpassed);
            });
+}
+
+QStringList GradedSubmission::lostInvariants() const
+{
+    QStringList lost;
+    for (const GradedScene &scene : scenes) {
+        const bool isLost = scene.fault.isEmpty()
+            && std::ranges::any_of(scene.checks, [](const GradedCheck &check) {
+                                return !check.isPassed && check.check == Check::Invariants;
+                            });
+        if (isLost && !scene.brokenInvariants)
+            lost += QStringLiteral(QT_TRANSLATE_NOOP("core", "did not draw what invariants ask"));
+        for (const QString &name :
+             isLost ? scene.brokenInvariants.value_or(QStringList()) : QStringList())
+            lost += QStringLiteral("breaks ") + name;
+    }
+    lost.removeDuplicates();
+    return lost;
 }
 
 std::optional<bool> isSandboxed(const GradedSubmission &submission)
@@ -239,20 +258,6 @@ QStringList ungradedLines(const GradeReport &report)
     for (const auto &[error, those] : names.asKeyValueRange())
         lines += those.join(QStringLiteral(", ")) + QStringLiteral(": ") + ungradedText(error);
     return lines;
-}
-
-QString verdictText(const GradedSubmission &submission)
-{
-    if (submission.gradingError)
-        return QStringLiteral(QT_TRANSLATE_NOOP("core", "cannot be graded"));
-    const QString name = nameOf(submission.verdict);
-    return submission.lacksColours() ? name + QStringLiteral(" in coverage") : name;
-}
-
-QString rasterText(const GradedSubmission &submission)
-{
-    return QStringLiteral("%1 as far as a raster tells: colours are not in it")
-        .arg(nameOf(submission.verdict));
 }
 
 QStringList sentencesFor(const GradedSubmission &submission, HintLevel level)

@@ -80,6 +80,9 @@ struct GradedScene {
     QString trace; ///< the first quantity in which the program's trace differs; empty: none
     std::optional<QString> note; ///< a further remark: which of two pictures was taken
     std::vector<GradedCheck> checks; ///< those that are made
+    /// The names of the invariants that its program breaks; none: they are not asked for, or it
+    /// broke none of them and did not draw all triangles.
+    std::optional<QStringList> brokenInvariants = {};
     /// For a submission that no set explains as a whole: the sets that explain this picture alone,
     /// "flat-first and upside-down".
     std::optional<QStringList> explanations = {};
@@ -146,6 +149,8 @@ struct GradedSubmission {
     /// Whether nothing handed in is wrong, but required colours are missing: a raster of characters
     /// has none.
     bool lacksColours() const;
+    /// For which invariants points are lost: "breaks order", each once.
+    QStringList lostInvariants() const;
     /// Whether the candidates explain the submission's pictures.
     bool isExplained() const { return !candidates.empty() && candidates.front().distance == 0; }
 
@@ -177,8 +182,8 @@ QString ungradedText(const QString &error);
 /// The submissions that could not be graded, for a message: "ada, bob: cannot be graded: …", one
 /// line for each error.
 QStringList ungradedLines(const GradeReport &report);
-/// The verdict as shown: its name; "right in coverage" where colours are missing; or "cannot be
-/// graded".
+/// The verdict as shown: its name; "right in coverage" where colours are missing; "pictures right,
+/// breaks order" where points are lost for an invariant; or "cannot be graded".
 QString verdictText(const GradedSubmission &submission);
 /// For a submission without colours: what its verdict applies to.
 QString rasterText(const GradedSubmission &submission);

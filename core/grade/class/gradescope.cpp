@@ -14,18 +14,21 @@ namespace {
 // "Output format".
 QJsonObject gradescopeJson(const GradedSubmission &submission, const Assignment &assignment)
 {
+    const QString lost = submission.lostInvariants().join(QStringLiteral(", "));
     QJsonArray tests;
     for (const GradedScene &scene : submission.scenes) {
         for (const GradedCheck &check : scene.checks)
-            tests.append(
-                QJsonObject{{QStringLiteral("name"),
-                             QStringLiteral("%1: %2").arg(scene.scene, nameOf(check.check))},
-                            {QStringLiteral("score"), check.points},
-                            {QStringLiteral("max_score"), check.of},
-                            {QStringLiteral("status"),
-                             check.isPassed ? QStringLiteral("passed") : QStringLiteral("failed")},
-                            {QStringLiteral("output"), scene.fault},
-                            {QStringLiteral("visibility"), QStringLiteral("visible")}});
+            tests.append(QJsonObject{
+                {QStringLiteral("name"),
+                 QStringLiteral("%1: %2").arg(scene.scene, nameOf(check.check))},
+                {QStringLiteral("score"), check.points},
+                {QStringLiteral("max_score"), check.of},
+                {QStringLiteral("status"),
+                 check.isPassed ? QStringLiteral("passed") : QStringLiteral("failed")},
+                {QStringLiteral("output"),
+                 check.isPassed || check.check != Check::Invariants ? scene.fault
+                                                                    : scene.fault + lost},
+                {QStringLiteral("visibility"), QStringLiteral("visible")}});
     }
     tests.append(QJsonObject{
         {QStringLiteral("name"), QStringLiteral("For the assistant")},

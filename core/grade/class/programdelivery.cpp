@@ -79,14 +79,15 @@ void askForInvariants(const StudentProgram &student, const TrialTerms &terms,
         = margin.isStrict() ? source : allowingFor({Leeway::Edges, margin.tolerance}, source);
     const InvariantReport report = checkInvariants(windingAs(asked.assignment.winding, judged),
                                                    asked.scene.scene, seed, pairs);
-    if (report.undrawn > 0) {
-        addNote(QStringLiteral("invariants are not asked: it could not draw all of %1 pairs of "
-                               "triangles: %2")
+    if (report.undrawn > 0)
+        addNote(QStringLiteral("of the %1 pairs of random triangles that invariants ask for it did "
+                               "not draw %2: %3")
+                    .arg(report.checked + report.undrawn)
                     .arg(report.undrawn)
                     .arg(shownText(report.firstUndrawn->why.message().toUtf8())),
                 delivery);
+    if (report.undrawn > 0 && report.broken.empty())
         return;
-    }
     delivery.brokenInvariants.emplace();
     for (const BrokenInvariant &broken : report.broken) {
         delivery.brokenInvariants->push_back(broken.invariant);

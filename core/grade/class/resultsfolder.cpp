@@ -67,6 +67,13 @@ bool fill(int descriptor, const QByteArray &content)
     return fsync(descriptor) == 0;
 }
 
+/// Gives a file of O_TMPFILE a name in a folder.
+bool giveName(int file, int folder, const QByteArray &name)
+{
+    const QByteArray path = "/proc/self/fd/" + QByteArray::number(file);
+    return linkat(AT_FDCWD, path.constData(), folder, name.constData(), AT_SYMLINK_FOLLOW) == 0;
+}
+
 } // namespace
 
 const QStringList &ResultsFolder::folders()
@@ -165,15 +172,20 @@ std::optional<InputError> ResultsFolder::write(const QString &file, const QByteA
     const int folder = place->folder.number();
     const QByteArray whole
         = place->name + '.' + QUuid::createUuid().toByteArray(QUuid::Id128).left(8);
-    const Descriptor made(
-        openat(folder, whole.constData(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, readAndWrite));
-    const bool isWritten = made.isOpen() && fill(made.number(), content)
-        && renameat(folder, whole.constData(), folder, place->name.constData()) == 0;
-    if (isWritten)
+    // Without a name nothing half-written is left of a process that is ended here.
+    const Descriptor nameless(openat(folder, ".", O_WRONLY | O_TMPFILE | O_CLOEXEC, readAndWrite));
+    const Descriptor named(nameless.isOpen()
+                               ? -1
+                               : openat(folder, whole.constData(),
+                                        O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, readAndWrite));
+    const Descriptor &made = nameless.isOpen() ? nameless : named;
+    const auto isNamed
+        = [&] { return named.isOpen() || giveName(nameless.number(), folder, whole); };
+    if (made.isOpen() && fill(made.number(), content) && isNamed()
+        && renameat(folder, whole.constData(), folder, place->name.constData()) == 0)
         return std::nullopt;
     const InputError error = place->error(cannotBeWritten);
-    if (made.isOpen())
-        unlinkat(folder, whole.constData(), 0);
+    unlinkat(folder, whole.constData(), 0);
     return error;
 }
 

@@ -5,6 +5,7 @@
 #include "core/scene/asciiraster.h"
 #include "core/scene/files/picturereader.h"
 #include "core/scene/files/pnmfault.h"
+#include "core/scene/text/byteordermark.h"
 
 #include <QImage>
 #include <QSize>
@@ -160,8 +161,11 @@ bool isPictureFormat(const QByteArray &format)
 
 QString pictureFormatsText() { return QStringLiteral("PNG, PPM, BMP, or a raster of # and ."); }
 
-Result<Picture> parsePicture(const QByteArray &content, const QString &name, const QString &formats)
+Result<Picture> parsePicture(const QByteArray &given, const QString &name, const QString &formats)
 {
+    if (isUtf16(given))
+        return InputError{name, QStringLiteral("text in UTF-16"), formats};
+    const QByteArray content = withoutByteOrderMark(given);
     if (looksLikeRaster(content)) {
         const Result<CoverageMask> raster = parseAsciiRaster(QString::fromLatin1(content));
         if (!raster)

@@ -8,6 +8,7 @@
 #include "core/scene/asciiraster.h"
 #include "core/scene/files/picturereader.h"
 #include "core/scene/files/pnmfault.h"
+#include "core/scene/text/byteordermark.h"
 
 #include <QSize>
 
@@ -35,9 +36,10 @@ InputError noPicture(const QString &name, const QByteArray &output)
     const QString shown = shownText(output.left(longestQuoted * 4), longestQuoted);
     return {
         name,
-        output.isEmpty() ? QStringLiteral("it is empty")
-                         : QStringLiteral("neither a picture nor lines of a trace: “%1”")
-                               .arg(shown.simplified()),
+        output.isEmpty()      ? QStringLiteral("it is empty")
+            : isUtf16(output) ? QStringLiteral("text in UTF-16")
+                              : QStringLiteral("neither a picture nor lines of a trace: “%1”")
+                                    .arg(shown.simplified()),
         QStringLiteral("PNG, PPM, BMP, a raster of # and ., or lines such as column 12 5 41.5")};
 }
 
@@ -136,13 +138,14 @@ Picture pictureFrom(const ProgramTrace &trace, const Scene &scene)
 
 bool looksLikeTrace(const QByteArray &output)
 {
-    const QByteArray start = output.left(longestQuoted).trimmed();
+    const QByteArray start = withoutByteOrderMark(output.left(longestQuoted)).trimmed();
     constexpr std::array words = {"column", "row", "pixel", "triangle"};
     return std::ranges::any_of(words, [&](const char *word) { return start.startsWith(word); });
 }
 
-bool isOfOtherSize(const QByteArray &output, const FrameSpec &frame)
+bool isOfOtherSize(const QByteArray &given, const FrameSpec &frame)
 {
+    const QByteArray output = withoutByteOrderMark(given);
     if (looksLikeTrace(output))
         return false;
     QSize size;
@@ -155,9 +158,10 @@ bool isOfOtherSize(const QByteArray &output, const FrameSpec &frame)
     return size.isValid() && size != QSize(frame.width, frame.height);
 }
 
-Result<StudentOutput> readStudentOutput(const QByteArray &output, const Scene &scene,
+Result<StudentOutput> readStudentOutput(const QByteArray &given, const Scene &scene,
                                         const QString &name)
 {
+    const QByteArray output = withoutByteOrderMark(given);
     const FrameSpec &frame = scene.frame;
     if (looksLikeTrace(output)) {
         Result<ProgramTrace> trace = parseWrittenTrace(output, frame);

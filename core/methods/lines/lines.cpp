@@ -19,7 +19,7 @@ Method lineSlopeInterceptMethod()
         {0, "for each column x from ⌈x₀⌉ to ⌊x₁⌋:", {Moment::Begin, Moment::Span}},
         {1, "y ← m·x + b", {Moment::Begin, Moment::Span}},
         {1,
-         "R ← R₀ + (x − x₀)·(R₁ − R₀)/(x₁ − x₀); G and B likewise",
+         "R ← R₀ + (x − x₀)·((R₁ − R₀)/(x₁ − x₀)); G and B likewise",
          {Moment::Begin, Moment::Span}},
         {1, "pixel (x, (int)(y + ½)) ← the bytes of R, G, B", {Moment::First}}};
     method.summary = QT_TRANSLATE_NOOP("core",
@@ -40,8 +40,8 @@ Method lineParametricMethod()
     const VariantSet five = VariantSet().with(Variant::FiveT);
     const VariantSet both = twice.with(Variant::FiveT);
     const QString range = "for each t = i/N from 0 to 1/%1:";
-    const QString point
-        = "u, v ← x₀ + %1t·(x₁ − x₀), y₀ + %1t·(y₁ − y₀); R ← R₀ + %1t·(R₁ − R₀); G and B likewise";
+    const QString point = "u, v ← x₀ + %1i·((x₁ − x₀)/N), y₀ + %1i·((y₁ − y₀)/N); R ← R₀ + "
+                          "%1i·((R₁ − R₀)/N); G and B likewise";
     method.pseudocode
         = {{0, "N ← ⌈the larger of |x₁ − x₀| and |y₁ − y₀|⌉, at least 1", {Moment::SetUp}},
            {0, "if no sample is to be drawn: done", {Moment::Rejected}},
@@ -90,13 +90,13 @@ Method lineDdaMethod()
           {VariantSet().with(Variant::DivisorMinusOne), "m ← Δv/(Δu − 1); ΔR, ΔG and ΔB likewise"},
           {VariantSet().with(Variant::DivisorPlusOne).with(Variant::DivisorMinusOne), rates}}},
         {0, "if no sample is to be drawn: done", {Moment::Rejected}},
-        {0, "for each u from ⌈u₀⌉ to ⌊u₁⌋:", {Moment::Begin, Moment::Span}},
+        {0, "for each u of the frame from ⌈u₀⌉ to ⌊u₁⌋:", {Moment::Begin, Moment::Span}},
         {1,
          "the first: v ← v₀ + (u − u₀)·m; R ← R₀ + (u − u₀)·ΔR; G and B likewise",
          {Moment::Begin},
          {},
          {{VariantSet().with(Variant::NoEdgePreStep),
-           "the first: v ← v₀; R ← R₀; G and B likewise"}}},
+           "the first: v ← v₀ + (u − ⌈u₀⌉)·m; R ← R₀ + (u − ⌈u₀⌉)·ΔR; G and B likewise"}}},
         {1, "else: v ← v + m; R ← R + ΔR; G and B likewise", {Moment::Span}},
         {1, "pixel (u, ⌊v + ½⌋) ← the bytes of R, G, B", {Moment::First}}};
     method.summary = QT_TRANSLATE_NOOP("core",

@@ -40,15 +40,19 @@ Pseudocode crossingLines(int depth)
                    "for each edge k from (x₀, y₀) to (x₁, y₁) with %1: — the active edges")
             .arg(condition);
     };
-    return {{depth, "for each row y from y_first to y_last:", {Begin, Span}},
-            {depth + 1,
-             active("y₀ < y ≤ y₁, or y₁ < y ≤ y₀"),
-             {Begin, Span},
-             {},
-             {},
-             yDown(active("y₀ ≤ y < y₁, or y₁ ≤ y < y₀"))},
-            {depth + 2, "where it begins: x_k ← x₀ + (y − y₀)·(x₁ − x₀)/(y₁ − y₀)", {Begin, Span}},
-            {depth + 2, "else: x_k ← x_k + (x₁ − x₀)/(y₁ − y₀)", {Begin, Span}}};
+    return {
+        {depth, "for each row y of the frame from y_first to y_last:", {Begin, Span}},
+        {depth + 1,
+         active("y₀ < y ≤ y₁, or y₁ < y ≤ y₀"),
+         {Begin, Span},
+         {},
+         {},
+         yDown(active("y₀ ≤ y < y₁, or y₁ ≤ y < y₀"))},
+        {depth + 2,
+         "where it begins: x_k ← x₀ + (y − y₀)·((x₁ − x₀)/(y₁ − y₀)) if y₀ < y₁, else x₁ + (y − "
+         "y₁)·((x₁ − x₀)/(y₁ − y₀)) — from its lower end",
+         {Begin, Span}},
+        {depth + 2, "else: x_k ← x_k + (x₁ − x₀)/(y₁ − y₀)", {Begin, Span}}};
 }
 
 Pseudocode parityPseudocode()

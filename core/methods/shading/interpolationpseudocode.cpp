@@ -93,22 +93,38 @@ Pseudocode inLettersOf(InterpolationForm form, Pseudocode code)
     return code;
 }
 
-/// What is linear in x and y: each value itself, or the three weights.
+/// Where the vertices have one colour, rounding must not change it.
+QString oneColourText() { return "R₀ = R₁ = R₂ and G₀ = G₁ = G₂ and B₀ = B₁ = B₂"; }
+
+/// What is linear in x and y: each value itself, or the three weights. The vertices are those that
+/// are given, and the operations in the kernel's order, so that floats agree, too.
 void addCoefficients(WalkListing &listing, InterpolationForm form)
 {
-    listing.add(0, QStringLiteral("A ← ") + doubledAreaText(), {SetUp}, LineOf::Area);
+    const auto add = [&listing](int depth, const QString &text) {
+        listing.add(depth, text, {SetUp}, LineOf::Area);
+    };
     if (form == InterpolationForm::Barycentric) {
-        listing.add(
-            0, "a_α, b_α, c_α ← (y₁ − y₂)/A, (x₂ − x₁)/A, (x₁·y₂ − x₂·y₁)/A; a_β and a_γ likewise",
-            {SetUp}, LineOf::Area);
+        add(0,
+            "A_α, B_α ← y₂ − y₁, x₁ − x₂; C_α ← −A_α·x₁ − B_α·y₁; k_α ← 1/(A_α·x₀ + B_α·y₀ + "
+            "C_α)");
+        add(0,
+            "A_β, B_β ← y₀ − y₂, x₂ − x₀; C_β ← −A_β·x₂ − B_β·y₂; k_β ← 1/(A_β·x₁ + B_β·y₁ + "
+            "C_β)");
+        add(0,
+            "A_γ, B_γ ← y₁ − y₀, x₀ − x₁; C_γ ← −A_γ·x₀ − B_γ·y₀; k_γ ← 1/(A_γ·x₂ + B_γ·y₂ + "
+            "C_γ)");
+        add(0,
+            "a_α ← k_α·A_α; a_β and a_γ likewise; b_α ← k_α·B_α; b_β and b_γ likewise; c_α ← "
+            "k_α·C_α; c_β and c_γ likewise");
         return;
     }
-    const auto change = [](QChar axis) { return planeSlope(axis, "A").replace(u'%', u'v'); };
-    listing.add(0,
-                QStringLiteral(
-                    "for each value v of R, G, B: a_v ← %1; b_v ← %2; c_v ← v₀ − a_v·x₀ − b_v·y₀")
-                    .arg(change(u'x'), change(u'y')),
-                {SetUp}, LineOf::Area);
+    add(0, "C ← (x₁ − x₀)·(y₂ − y₀) − (y₁ − y₀)·(x₂ − x₀)");
+    add(0,
+        "for each value v of R, G, B: A_v ← (y₁ − y₀)·(v₂ − v₀) − (v₁ − v₀)·(y₂ − y₀); B_v ← (v₁ − "
+        "v₀)·(x₂ − x₀) − (x₁ − x₀)·(v₂ − v₀); D_v ← −(A_v·x₀ + B_v·y₀ + C·v₀)");
+    add(0, "for each value v of R, G, B: a_v, b_v, c_v ← −A_v/C, −B_v/C, −D_v/C");
+    add(0, QStringLiteral("if %1:").arg(oneColourText()));
+    add(1, "for each value v of R, G, B: a_v, b_v, c_v ← 0, 0, v₀");
 }
 
 Pseudocode withSamples(Pseudocode code, InterpolationForm form)
@@ -120,13 +136,12 @@ Pseudocode withSamples(Pseudocode code, InterpolationForm form)
     if (form == InterpolationForm::Barycentric) {
         add("α ← a_α·x + b_α·y + c_α; β and γ likewise", LineOf::Area);
         add("R ← α·R₀ + β·R₁ + γ·R₂; G and B likewise", LineOf::Area);
-        add("if R₀ = R₁ = R₂ and G₀ = G₁ = G₂ and B₀ = B₁ = B₂: R ← R₀; G and B likewise",
-            LineOf::Area);
+        add(QStringLiteral("if %1: R ← R₀; G and B likewise").arg(oneColourText()), LineOf::Area);
     } else {
         add("for each value v of R, G, B: v ← a_v·x + b_v·y + c_v", LineOf::Area);
     }
-    add("t ← (x − x_l)/(x_r − x_l) if x_l < x_r, else (y − y_l)/(y_r − y_l) if y_l < y_r, else 0; "
-        "R ← R_l + t·(R_r − R_l); G and B likewise",
+    add("R ← R_l + (x − x_l)·((R_r − R_l)/(x_r − x_l)) if x_l < x_r, else R_l + (y − y_l)·((R_r − "
+        "R_l)/(y_r − y_l)) if y_l < y_r, else R_l; G and B likewise",
         LineOf::Segment);
     add("pixel (x, y) ← the bytes of R, G, B", LineOf::EveryPrimitive);
     return code;

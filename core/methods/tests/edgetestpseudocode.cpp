@@ -237,10 +237,12 @@ private:
                      "if x_l ≤ x ≤ x_r; (x_r − x_l)·(y − y_l) = (y_r − y_l)·(x − x_l); x_l < x_r, "
                      "or y_l ≤ y ≤ y_r: — the segment passes through (x, y)",
                      {First, Next, Refused});
-        addOfSegment(3,
-                     "t ← (x − x_l)/(x_r − x_l) if x_l < x_r, else (y − y_l)/(y_r − y_l) if y_l < "
-                     "y_r, else 0; R ← R_l + t·(R_r − R_l); G and B likewise",
-                     {First, Next});
+        addOfSegment(
+            3,
+            "R ← (R_l·(x_r − x_l) + (R_r − R_l)·(x − x_l))/(x_r − x_l) if x_l < x_r, else "
+            "(R_l·(y_r − y_l) + (R_r − R_l)·(y − y_l))/(y_r − y_l) if y_l < y_r, else R_l; "
+            "G and B likewise",
+            {First, Next});
         add(3, "pixel (x, y) ← the bytes of R, G, B", {First, Next});
     }
 

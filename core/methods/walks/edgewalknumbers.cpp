@@ -68,7 +68,7 @@ void appendBound(NumberTable<EdgeWalkSpanState> &table, const EdgeWalkNames &nam
          }});
 }
 
-/// The first or the last covered sample: ⌈y_B⌉ … ⌊y_T⌋, or as the fill rule changes them.
+/// The first or the last covered sample: ⌈y_B⌉ … ⌊y_T⌋, or as the fill rule and β change them.
 void appendCoveredSample(NumberTable<EdgeWalkSpanState> &table, const EdgeWalkNames &names,
                          SpanBound bound)
 {
@@ -77,7 +77,7 @@ void appendCoveredSample(NumberTable<EdgeWalkSpanState> &table, const EdgeWalkNa
     const auto specify = [=](NumberDescription &description, Interval covered) {
         description.title = names.coveredSample(bound, covered);
         description.formula
-            = names.filled(word + QStringLiteral(" {across} = ")) + names.biased(description.title);
+            = names.filled(word + QStringLiteral(" {across} = ")) + description.title;
     };
     NumberDescription description
         = names.filled({.id = word + QStringLiteral("_{across}"),

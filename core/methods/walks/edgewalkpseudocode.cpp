@@ -20,13 +20,32 @@ void addPlane(WalkListing &listing, SpanAxis axis)
         {SetUp}, LineOf::Area);
 }
 
-/// Adds the colours of a span's samples, one after the other.
-void addColours(WalkListing &listing)
+/// The level of a sample on a triangle without area, between the ends of its segment.
+QString alongSegment(SpanAxis axis)
 {
+    const QString along = "R₀ + (x − x₀)·((R₂ − R₀)/(x₂ − x₀)) if x₀ < x₂";
+    const QString across = axis == SpanAxis::Row
+        ? QStringLiteral("R₀ + (y₀ − y)·((R₂ − R₀)/(y₀ − y₂)) if y₂ < y₀")
+        : QStringLiteral("R₀ + (y − y₀)·((R₂ − R₀)/(y₂ − y₀)) if y₀ < y₂");
+    return QStringLiteral("R ← %1, else %2, else R₀; G and B likewise")
+        .arg(axis == SpanAxis::Row ? across : along, axis == SpanAxis::Row ? along : across);
+}
+
+/// Adds the colours of a span's samples, one after the other; where coverage is exact those of a
+/// segment each for itself.
+void addColours(WalkListing &listing, SpanAxis axis, WalkCoverage coverage)
+{
+    const bool isDirect = coverage == WalkCoverage::Exact;
+    const LineOf walked = isDirect ? LineOf::Area : LineOf::EveryPrimitive;
+    if (isDirect)
+        listing.add(2, alongSegment(axis), {First, Next}, LineOf::Segment);
     listing.addVaried(
         2, "the first: R ← R_{lo} + ({a} − {a}_{lo})·ΔR; G and B likewise", {First},
-        {{VariantSet().with(Variant::NoColourPreStep), "the first: R ← R_{lo}; G and B likewise"}});
-    listing.add(2, "else: R ← R + ΔR; G and B likewise", {Next});
+        {{VariantSet().with(Variant::NoColourPreStep),
+          "the first: R ← R_{lo} + ({a} − {a}_first)·ΔR; G and B likewise — {a}_first: where the "
+          "{across}s begin, in the frame or not"}},
+        walked);
+    listing.add(2, "else: R ← R + ΔR; G and B likewise", {Next}, walked);
     listing.add(2, "pixel (x, y) ← the bytes of R, G, B", {First, Next});
 }
 
@@ -79,12 +98,14 @@ Pseudocode walkPseudocode(const EdgeWalkForm &form, WalkCoverage coverage)
     listing.addRejection();
     listing.addSpans();
     listing.add(1,
-                "ΔR ← (R_{hi} − R_{lo})/({a}_{hi} − {a}_{lo}) if {a}_{lo} < {a}_{hi}, else 0; ΔG "
+                "ΔR ← (R_{hi} − R_{lo})/({a}_{hi} − {a}_{lo}) if {a}_{lo} ≠ {a}_{hi}, else 0; ΔG "
                 "and ΔB likewise",
                 listing.everySpan,
-                form.rate == ColourRate::Plane ? LineOf::Segment : LineOf::EveryPrimitive);
+                form.rate == ColourRate::Plane        ? LineOf::Segment
+                    : coverage == WalkCoverage::Exact ? LineOf::Area
+                                                      : LineOf::EveryPrimitive);
     listing.addSamples();
-    addColours(listing);
+    addColours(listing, form.axis, coverage);
     return listing.written();
 }
 

@@ -67,7 +67,7 @@ QString ownReasonText(const PixelAttempt &attempt, const TracedScene &traced, st
                       std::int64_t y)
 {
     if (isDecidedByOutline(attempt, *traced.trace)) {
-        const QString decided = stepBesideText(attempt, *traced.trace, x, y);
+        const QString decided = stepBesideText(attempt, traced, x, y);
         return decided.isEmpty() ? QStringLiteral(" The outline has no pixel in this column.")
                                  : decided;
     }
@@ -76,7 +76,8 @@ QString ownReasonText(const PixelAttempt &attempt, const TracedScene &traced, st
     if (attempt.sample)
         return deciderText(attempt, traced);
     return attempt.span && !attempt.span->lower.isNone()
-        ? QStringLiteral(" In the run, %1.").arg(boundsText(*attempt.span))
+        ? QStringLiteral(" In the run, %1.")
+              .arg(boundsText(*attempt.span, traced.scene.settings.arithmetic))
         : QString();
 }
 
@@ -145,12 +146,20 @@ QString deciderText(const PixelAttempt &attempt, const TracedScene &traced)
     return u' ' + refusalSentence(traced, attempt.primitive, *attempt.sample, decisions);
 }
 
-QString boundsText(const SpanRecord &span)
+bool hasExactBounds(const SpanRecord &span, Arithmetic arithmetic)
 {
-    const QString bounds = QStringLiteral("the %1's bounds %2 and %3 give ")
-                               .arg(span.place.axis == SpanAxis::Column ? QStringLiteral("column")
-                                                                        : QStringLiteral("row"),
-                                    toText(span.lower), toText(span.upper));
+    const bool isFloat = arithmetic == Arithmetic::Float32 || arithmetic == Arithmetic::Float64;
+    return isFloat && span.lower.isRational() && span.upper.isRational();
+}
+
+QString boundsText(const SpanRecord &span, Arithmetic arithmetic)
+{
+    const QString pattern = hasExactBounds(span, arithmetic)
+        ? QStringLiteral("the %1's exact bounds %2 and %3 give ")
+        : QStringLiteral("the %1's bounds %2 and %3 give ");
+    const QString bounds = pattern.arg(
+        span.place.axis == SpanAxis::Column ? QStringLiteral("column") : QStringLiteral("row"),
+        toText(span.lower), toText(span.upper));
     return span.firstSample < span.endSample ? bounds
             + QStringLiteral("the samples %1 … %2").arg(span.firstSample).arg(span.endSample - 1)
                                              : bounds + QStringLiteral("no sample");

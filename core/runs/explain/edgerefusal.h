@@ -34,7 +34,11 @@ QString tiesText(const PixelAttempt &attempt, const TracedScene &traced, std::in
 /// " Refused: E₂ = −2 is negative.": the numbers by which the kernel refused a triangle's sample.
 QString deciderText(const PixelAttempt &attempt, const TracedScene &traced);
 
-/// "the column's bounds 9 1/2 and 6 3/44 give no sample"
-QString boundsText(const SpanRecord &span);
+/// Whether the bounds are exact although the run computes in floats: an interpolation's coverage
+/// is.
+bool hasExactBounds(const SpanRecord &span, Arithmetic arithmetic);
+/// "the column's bounds 9 1/2 and 6 3/44 give no sample"; "exact bounds" where the run computes
+/// others, or none.
+QString boundsText(const SpanRecord &span, Arithmetic arithmetic);
 
 } // namespace pixelplumb

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/runs/explain/pixelhistory.h"
 
+#include "core/methods/stroketruth.h"
 #include "core/oracle/effectoracle.h"
 #include "core/oracle/strokeoracle.h"
 #include "core/runs/explain/carriednumbers.h"
@@ -29,7 +30,7 @@ void judge(PixelAttempt &attempt, const TracedScene &traced, std::int64_t x, std
     } else {
         attempt.verdict.covered
             = oracle::covers(primitives.shape(attempt.primitive), primitives.appearance,
-                             traced.scene.frame.origin, x, y);
+                             strokeTruthOf(traced.method), traced.scene.frame.origin, x, y);
     }
 }
 

@@ -87,8 +87,8 @@ QString refusalText(const PixelAttempt &attempt, const TracedScene &traced, std:
     const QString found = passingText(attempt, *traced.trace);
     const QString uncovered = QStringLiteral("The %1 does not cover it.").arg(nameOf(attempt.kind));
     return (found.isEmpty() && !attempt.written ? uncovered : found)
-        + (attempt.written ? stepOfPixelText(attempt, *traced.trace)
-                           : stepBesideText(attempt, *traced.trace, x, y))
+        + (attempt.written ? stepOfPixelText(attempt, traced)
+                           : stepBesideText(attempt, traced, x, y))
         + tieOfShapeText(attempt, traced, x, y);
 }
 
@@ -156,14 +156,14 @@ QString missedText(const PixelAttempt &attempt, const TracedScene &traced, std::
         return QStringLiteral("Not recorded: the recording ended at its limit before this pixel.");
     if (!attempt.span)
         return QStringLiteral("Missing: the truth covers it, the kernel did not come here.")
-            + stepBesideText(attempt, trace, x, y);
+            + stepBesideText(attempt, traced, x, y);
     if (attempt.kind == PrimitiveKind::Line)
         return QStringLiteral("Missing: the truth covers it, but the line's pixel here is another.")
-            + stepBesideText(attempt, trace, x, y) + tieOfShapeText(attempt, traced, x, y);
+            + stepBesideText(attempt, traced, x, y) + tieOfShapeText(attempt, traced, x, y);
     const SpanRecord &span = *attempt.span;
     const std::int64_t place = span.place.axis == SpanAxis::Column ? y : x;
     if (span.lower.isNone() && (place < span.firstSample || place >= span.endSample)) {
-        const QString decided = stepBesideText(attempt, trace, x, y);
+        const QString decided = stepBesideText(attempt, traced, x, y);
         const QString line = span.place.axis == SpanAxis::Column ? QStringLiteral("column")
                                                                  : QStringLiteral("row");
         if (!decided.isEmpty())
@@ -186,7 +186,8 @@ QString missedText(const PixelAttempt &attempt, const TracedScene &traced, std::
     }
     if (span.lower.isNone())
         return QStringLiteral("Missing: the truth covers it, the kernel did not write it.");
-    return QStringLiteral("Missing: the truth covers it, but %1.").arg(boundsText(span));
+    return QStringLiteral("Missing: the truth covers it, but %1.")
+        .arg(boundsText(span, traced.scene.settings.arithmetic));
 }
 
 /// What became of a sample that more than coverage and colour decided.
@@ -251,10 +252,10 @@ QString sentencesOn(const PixelAttempt &attempt, const TracedScene &traced, std:
             + refusalText(attempt, traced, x, y).trimmed() + acceptingText(attempt, traced)
             + variantText(attempt, traced, x, y) + approximation();
     if (attempt.kind != PrimitiveKind::Triangle)
-        return text + stepOfPixelText(attempt, *traced.trace) + variantText(attempt, traced, x, y);
+        return text + stepOfPixelText(attempt, traced) + variantText(attempt, traced, x, y);
     text += keptTiesText(attempt, traced, x, y);
     if (isDecidedByOutline(attempt, *traced.trace))
-        text += stepBesideText(attempt, *traced.trace, x, y);
+        text += stepBesideText(attempt, traced, x, y);
     const Colour exact
         = oracle::byteColourAt(traced.primitives.triangles[attempt.primitive], attempt.change.x,
                                attempt.change.y, traced.scene.settings.rounding);

@@ -49,17 +49,21 @@ QString tieOfLineText(const Shape &line, std::int64_t x, std::int64_t y)
     if (across != greater && across != greater - 1)
         return {};
     const QString axis = truth.isSteep() ? QStringLiteral("x") : QStringLiteral("y");
-    return QStringLiteral(" A tie: the line passes exactly midway between %1 = %2 and %1 = %3 "
+    return QStringLiteral(" A tie: the exact line passes midway between %1 = %2 and %1 = %3 "
                           "here, and the truth takes the greater one.")
         .arg(axis)
         .arg(greater - 1)
         .arg(greater);
 }
 
-QString stepText(const ScanTrace &trace, std::size_t span)
+/// What a step says, where its numbers may be rounded "as computed": exact ones stand beside them.
+QString stepText(const TracedScene &traced, std::size_t span)
 {
-    const QString told = trace.spanWords(span).sentence;
-    return told.isEmpty() ? told : QStringLiteral(" %1: %2").arg(spanHeading(trace, span), told);
+    const QString told = traced.trace->spanWords(span).sentence;
+    const QString pattern = traced.scene.settings.arithmetic == Arithmetic::Exact
+        ? QStringLiteral(" %1: %2")
+        : QStringLiteral(" %1, as computed: %2");
+    return told.isEmpty() ? told : pattern.arg(spanHeading(*traced.trace, span), told);
 }
 
 /// The first of a primitive's written samples that are nearest to a pixel; none if it wrote
@@ -84,9 +88,10 @@ std::optional<std::size_t> nearestWritten(const ScanTrace &trace, std::size_t pr
 
 /// The steps that wrote the four pixels next to this one show where a curve goes; if it passes none
 /// of them, the step that wrote the nearest.
-QString stepsNextToText(const ScanTrace &trace, std::size_t primitive, std::int64_t x,
+QString stepsNextToText(const TracedScene &traced, std::size_t primitive, std::int64_t x,
                         std::int64_t y)
 {
+    const ScanTrace &trace = *traced.trace;
     std::vector<std::size_t> spans;
     constexpr std::array<std::array<int, 2>, 4> sides = {{{0, 1}, {0, -1}, {1, 0}, {-1, 0}}};
     for (const auto &[right, up] : sides) {
@@ -105,7 +110,7 @@ QString stepsNextToText(const ScanTrace &trace, std::size_t primitive, std::int6
     std::ranges::sort(spans);
     QString text;
     for (const std::size_t span : spans)
-        text += stepText(trace, span);
+        text += stepText(traced, span);
     return text;
 }
 
@@ -166,16 +171,16 @@ std::optional<std::int64_t> firstColumnOf(const ScanTrace &trace, std::size_t pr
 }
 
 /// The step of the pixel's column, or that there is none.
-QString stepOfColumnText(const PixelAttempt &attempt, const ScanTrace &trace,
+QString stepOfColumnText(const PixelAttempt &attempt, const TracedScene &traced,
                          std::int64_t firstColumn, std::int64_t x)
 {
-    const std::size_t first = trace.firstSpanOf(attempt.primitive);
-    const auto count = std::int64_t(trace.endSpanOf(attempt.primitive) - first);
+    const std::size_t first = traced.trace->firstSpanOf(attempt.primitive);
+    const auto count = std::int64_t(traced.trace->endSpanOf(attempt.primitive) - first);
     if (x >= firstColumn && x < firstColumn + count)
-        return stepText(trace, first + std::size_t(x - firstColumn));
-    return trace.isCut() ? QString()
-                         : beyondCircleText(attempt, QStringLiteral("column"), x, firstColumn,
-                                            firstColumn + count - 1);
+        return stepText(traced, first + std::size_t(x - firstColumn));
+    return traced.trace->isCut() ? QString()
+                                 : beyondCircleText(attempt, QStringLiteral("column"), x,
+                                                    firstColumn, firstColumn + count - 1);
 }
 
 /// That a fill has no span on the pixel's row.
@@ -193,13 +198,14 @@ QString noRowText(const PixelAttempt &attempt, const ScanTrace &trace, std::int6
 }
 
 /// What the span says in which the pixel was passed over, or between which bounds it fills.
-QString spanText(const ScanTrace &trace, std::size_t span)
+QString spanText(const TracedScene &traced, std::size_t span)
 {
-    const QString told = stepText(trace, span);
-    const SpanRecord record = trace.span(span);
-    return !told.isEmpty() || record.lower.isNone()
-        ? told
-        : QStringLiteral(" %1: %2.").arg(spanHeading(trace, span), boundsText(record));
+    const SpanRecord record = traced.trace->span(span);
+    if (const QString told = stepText(traced, span); !told.isEmpty() || record.lower.isNone())
+        return told;
+    return QStringLiteral(" %1: %2.")
+        .arg(spanHeading(*traced.trace, span),
+             boundsText(record, traced.scene.settings.arithmetic));
 }
 
 } // namespace
@@ -216,26 +222,27 @@ bool isUntested(const PixelAttempt &attempt, const ScanTrace &trace)
     return !attempt.sample && !trace.isCut() && isOfBox;
 }
 
-QString stepBesideText(const PixelAttempt &attempt, const ScanTrace &trace, std::int64_t x,
+QString stepBesideText(const PixelAttempt &attempt, const TracedScene &traced, std::int64_t x,
                        std::int64_t y)
 {
+    const ScanTrace &trace = *traced.trace;
     if (attempt.primitive >= trace.primitiveCount())
         return {};
     const auto step = trace.spanNear(attempt.primitive, x, y);
     if (attempt.kind == PrimitiveKind::Triangle)
-        return step && isDecidedByOutline(attempt, trace) ? stepText(trace, *step) : QString();
+        return step && isDecidedByOutline(attempt, trace) ? stepText(traced, *step) : QString();
     const std::size_t first = trace.firstSpanOf(attempt.primitive);
     if (first == trace.endSpanOf(attempt.primitive))
         return {};
     const SpanAxis axis = trace.placeOf(first).axis;
     if (axis == SpanAxis::Free) {
         const auto column = firstColumnOf(trace, attempt.primitive);
-        return column ? stepOfColumnText(attempt, trace, *column, x)
-                      : stepsNextToText(trace, attempt.primitive, x, y);
+        return column ? stepOfColumnText(attempt, traced, *column, x)
+                      : stepsNextToText(traced, attempt.primitive, x, y);
     }
     if (step)
         return attempt.sample && attempt.kind != PrimitiveKind::Line ? QString()
-                                                                     : spanText(trace, *step);
+                                                                     : spanText(traced, *step);
     if (attempt.kind == PrimitiveKind::Line)
         return noStepText(attempt, trace, x, y);
     if (trace.isCut())
@@ -243,11 +250,12 @@ QString stepBesideText(const PixelAttempt &attempt, const ScanTrace &trace, std:
     // The lines of an outline go along columns and rows.
     return axis == SpanAxis::Row && !hasNumber(trace.numbers().span, "p_k")
         ? noRowText(attempt, trace, y)
-        : stepsNextToText(trace, attempt.primitive, x, y);
+        : stepsNextToText(traced, attempt.primitive, x, y);
 }
 
-QString stepOfPixelText(const PixelAttempt &attempt, const ScanTrace &trace)
+QString stepOfPixelText(const PixelAttempt &attempt, const TracedScene &traced)
 {
+    const ScanTrace &trace = *traced.trace;
     if (!attempt.written)
         return {};
     const TraceStep step = trace.stepAt(attempt.step);
@@ -257,7 +265,7 @@ QString stepOfPixelText(const PixelAttempt &attempt, const ScanTrace &trace)
     const bool hasCrossings = attempt.kind == PrimitiveKind::Polygon && !attempt.verdict.covered
         && trace.placeOf(step.span).axis == SpanAxis::Row;
     if (told.isEmpty() || hasCrossings)
-        return (told.isEmpty() ? told : u' ' + told) + stepText(trace, step.span);
+        return (told.isEmpty() ? told : u' ' + told) + stepText(traced, step.span);
     return u' ' + told;
 }
 

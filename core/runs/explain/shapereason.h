@@ -17,11 +17,11 @@ bool isUntested(const PixelAttempt &attempt, const ScanTrace &trace);
 /// that passes beside the pixel: the step that decided there. For what is walked along, such as a
 /// circle: the steps of the adjacent pixels, or else of the nearest. For what is filled row by row:
 /// the row.
-QString stepBesideText(const PixelAttempt &attempt, const ScanTrace &trace, std::int64_t x,
+QString stepBesideText(const PixelAttempt &attempt, const TracedScene &traced, std::int64_t x,
                        std::int64_t y);
 
 /// The numbers by which the step chose the pixel that wrote it.
-QString stepOfPixelText(const PixelAttempt &attempt, const ScanTrace &trace);
+QString stepOfPixelText(const PixelAttempt &attempt, const TracedScene &traced);
 
 /// Says that the truth has its own rule where no distance decides: a sample on an edge of a
 /// polygon, a line midway between two pixels.

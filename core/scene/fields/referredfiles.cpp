@@ -7,6 +7,7 @@
 #include "core/scene/files/meshfile.h"
 #include "core/scene/files/picturereader.h"
 #include "core/scene/scenefile.h"
+#include "core/scene/text/byteordermark.h"
 #include "core/scene/text/jsonreader.h"
 #include "core/scene/text/result.h"
 
@@ -47,7 +48,7 @@ Result<Texture> readTexture(const QString &path)
     Result<QByteArray> content = readRegularFile(path);
     if (!content)
         return content.error();
-    PictureReader reader(*content);
+    PictureReader reader(withoutByteOrderMark(*content));
     if (!reader.fault().isEmpty())
         return InputError{path, QStringLiteral("no picture: ") + reader.fault(), "a whole file"};
     if (const QByteArray format = reader.format(); !format.isEmpty() && !isTextureFormat(format))

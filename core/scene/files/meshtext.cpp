@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/scene/files/meshtext.h"
 
+#include "core/scene/text/byteordermark.h"
+
 namespace pixelplumb {
 
 bool isCorner(QByteArrayView word)
@@ -27,7 +29,7 @@ QByteArray withoutRemarks(const QByteArray &text)
 {
     QByteArray plain;
     plain.reserve(text.size());
-    qsizetype place = text.startsWith("\xEF\xBB\xBF") ? 3 : 0;
+    qsizetype place = text.startsWith(byteOrderMark) ? byteOrderMark.size() : 0;
     qsizetype joined = 0;
     bool isRemark = false;
     for (; place < text.size(); ++place) {

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/scene/text/byteordermark.h"
 #include "core/scene/text/jsonfault.h"
 #include "core/scene/text/jsontext.h"
 
@@ -204,10 +205,11 @@ std::size_t firstOfWord(const QByteArray &text, std::size_t offset)
 
 Result<JsonText> parseJson(const QByteArray &text, QByteArrayView folded)
 {
-    constexpr QByteArrayView byteOrderMark = "\xef\xbb\xbf";
     const auto size = std::size_t(text.size());
     if (size > std::numeric_limits<quint32>::max())
         return InputError{{}, "more than 4 GiB", {}};
+    if (isUtf16(text))
+        return InputError{{}, "text in UTF-16", "UTF-8"};
     rapidjson::MemoryStream stream(text.constData(), size);
     if (text.startsWith(byteOrderMark))
         stream.src_ += byteOrderMark.size();

@@ -146,6 +146,42 @@ private slots:
         QCOMPARE(check.check, Check::Invariants);
         QVERIFY2(check.isPassed == isPassed, qPrintable(graded.scenes[0].note.value_or(QString())));
         QCOMPARE(check.points, isPassed ? 3.0 : 0.0);
+        QCOMPARE(graded.lostInvariants().isEmpty(), isPassed);
+    }
+
+    /// The assignment's triangle is drawn right, all others are not.
+    void theVerdictNamesTheInvariantForWhichPointsAreLost_data()
+    {
+        QTest::addColumn<QByteArray>("rule");
+        QTest::addColumn<QString>("lost");
+        QTest::newRow("broken") << QByteArray(R"(>= (0 if [2, 3] in p["triangle"] or i else 0.2))")
+                                << "breaks ";
+        QTest::newRow("not drawn")
+            << QByteArray(R"(>= (0 if [2, 3] in p["triangle"] else sys.exit(1)))")
+            << "did not draw what invariants ask";
+    }
+    void theVerdictNamesTheInvariantForWhichPointsAreLost()
+    {
+        QFETCH(QByteArray, rule);
+        QFETCH(QString, lost);
+        const auto assignment = readAssignment(
+            assignmentWith(R"("program": {}, "points": { "invariants": 3 }, "leeway": "rule", )"));
+        const QTemporaryDir folder;
+        QVERIFY(deliver(folder, QStringLiteral("ann/main.py"), programWith(rule)));
+        const GradedSubmission ann = gradedBy(*assignment, folder);
+        const GradeReport report{*assignment, {ann}};
+
+        QCOMPARE(ann.verdict, GradeVerdict::Right);
+        QVERIFY(ann.points() < assignment->points());
+        const QString told = QStringLiteral("pictures right, ") + lost;
+        QVERIFY2(verdictText(ann).startsWith(told), qPrintable(verdictText(ann)));
+        QVERIFY(clustersOf(report).front().title.startsWith(told));
+        for (const QByteArray &table :
+             {csvOf(report), junitOf(report), gradescopeOf(report), pageOf(report, {})})
+            QVERIFY2(table.contains(lost.toUtf8()), table.constData());
+        QVERIFY(!sentencesFor(ann, HintLevel::Full)
+                     .join(u' ')
+                     .contains(QStringLiteral("as far as a raster tells")));
     }
 
     void invariantsNeedAProgram()

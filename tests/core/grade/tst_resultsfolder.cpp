@@ -12,9 +12,12 @@
 #include <QTemporaryDir>
 #include <QTest>
 
+#include <sys/resource.h>
 #include <sys/stat.h>
+#include <sys/wait.h>
 #include <unistd.h>
 
+#include <csignal>
 #include <filesystem>
 
 namespace tst_resultsfolder {
@@ -96,6 +99,31 @@ private slots:
         QCOMPARE(::mkfifo(QFile::encodeName(place).constData(), 0600), 0);
 
         QVERIFY(!graded("results").isEmpty());
+    }
+
+    /// A limit on sizes ends the process with half of the file written.
+    void aRunThatIsEndedLeavesNothingHalfWritten()
+    {
+        QVERIFY(QDir().mkpath(path("results/grades")));
+        const ResultsFolder results(path("results"));
+        const QString file = submissionFile(QStringLiteral("ann"));
+        QVERIFY(!results.write(file, "old"));
+        const pid_t child = ::fork();
+        if (child == 0) {
+            const rlimit limit{1000, 1000};
+            ::setrlimit(RLIMIT_FSIZE, &limit);
+            ::signal(SIGXFSZ, SIG_DFL);
+            const bool isWritten = !results.write(file, QByteArray(2000, 'x'));
+            ::_exit(isWritten ? 0 : 1);
+        }
+        int status = 0;
+        QCOMPARE(::waitpid(child, &status, 0), child);
+        QVERIFY(WIFSIGNALED(status));
+        QCOMPARE(QDir(path("results/grades")).entryList(QDir::AllEntries | QDir::NoDotAndDotDot),
+                 QStringList("ann.json"));
+        QCOMPARE(contentOf(path("results/grades/ann.json")), QByteArray("old"));
+        QVERIFY(!results.write(file, QByteArray(2000, 'x')));
+        QCOMPARE(contentOf(path("results/grades/ann.json")), QByteArray(2000, 'x'));
     }
 
     void aHardLinkKeepsItsContentElsewhere()

@@ -62,31 +62,38 @@ class TestListings : public QObject {
     Q_OBJECT
 
 private slots:
-    /// The listing is run as printed, line by line, in exact numbers: under every rule, with ties.
+    /// The listing is run as printed, line by line: under every rule, with ties.
     void listingsOfEdgeTestsDrawWhatTheirKernelsDraw_data()
     {
         QTest::addColumn<QString>("id");
         QTest::addColumn<FillRule>("rule");
+        QTest::addColumn<Arithmetic>("arithmetic");
         for (const char *id :
              {"edge-equations", "edge-equations-incremental", "edge-equations-solved",
               "edge-equations-canonical", "barycentric-all", "barycentric-rectangle",
               "barycentric-incremental", "barycentric-cramer", "barycentric-off-screen",
               "barycentric-relative"}) {
-            for (const FillRule rule : methodNamed(QString::fromLatin1(id))->fillRules)
-                QTest::addRow("%s, %s", id, std::string(nameOf(rule)).c_str())
-                    << QString::fromLatin1(id) << rule;
+            const Method &method = *methodNamed(QString::fromLatin1(id));
+            for (const Arithmetic arithmetic : listedArithmetics(method))
+                for (const FillRule rule : method.fillRules)
+                    QTest::addRow("%s, %s, %s", id, std::string(nameOf(arithmetic)).c_str(),
+                                  std::string(nameOf(rule)).c_str())
+                        << method.id << rule << arithmetic;
         }
     }
     void listingsOfEdgeTestsDrawWhatTheirKernelsDraw()
     {
         QFETCH(QString, id);
         QFETCH(FillRule, rule);
+        QFETCH(Arithmetic, arithmetic);
+        const int count = arithmetic == Arithmetic::Exact ? 200 : 48;
         std::mt19937 random(edgeTestSeed);
         std::size_t drawn = 0;
-        for (int i = 0; i < 200; ++i) {
+        for (int i = 0; i < count; ++i) {
             Scene scene = oddTriangleScene(i, random);
             scene.method = id.toStdString();
             scene.settings.fillRule = rule;
+            scene.settings.arithmetic = arithmetic;
             const auto traced = traceScene(scene);
             const SetUpRecord setUp = traced->trace->setUp(0);
             if (setUp.rejection)
@@ -103,7 +110,7 @@ private slots:
                                     .arg(departure)));
             drawn += run.pixels().size();
         }
-        QVERIFY(drawn > 800);
+        QVERIFY(drawn > std::size_t(4 * count));
     }
 
     /// Lines in every octant, with ties and beyond the frame, and with the variants that the
@@ -112,13 +119,19 @@ private slots:
     {
         QTest::addColumn<QString>("id");
         QTest::addColumn<VariantSet>("variants");
+        QTest::addColumn<Arithmetic>("arithmetic");
         for (const Method &method : methods()) {
             if (method.family != MethodFamily::Lines)
                 continue;
-            QTest::newRow(qPrintable(method.id)) << method.id << VariantSet();
-            for (const Variant variant : method.variants) {
-                QTest::addRow("%s, %s", qPrintable(method.id), std::string(nameOf(variant)).c_str())
-                    << method.id << VariantSet().with(variant);
+            for (const Arithmetic arithmetic : listedArithmetics(method)) {
+                const std::string numbers(nameOf(arithmetic));
+                QTest::addRow("%s, %s", qPrintable(method.id), numbers.c_str())
+                    << method.id << VariantSet() << arithmetic;
+                for (const Variant variant : method.variants) {
+                    QTest::addRow("%s, %s, %s", qPrintable(method.id), numbers.c_str(),
+                                  std::string(nameOf(variant)).c_str())
+                        << method.id << VariantSet().with(variant) << arithmetic;
+                }
             }
         }
     }
@@ -126,6 +139,7 @@ private slots:
     {
         QFETCH(QString, id);
         QFETCH(VariantSet, variants);
+        QFETCH(Arithmetic, arithmetic);
         std::mt19937 random(lineSeed);
         std::uniform_int_distribution<int> level(0, 255);
         std::size_t drawn = 0;
@@ -140,6 +154,7 @@ private slots:
             Scene scene
                 = sceneOf(line, qPrintable(id), i % 4 == 3 ? frameOf(9, 7, 2, 1) : frameOf(14, 13));
             scene.settings.variants = variants;
+            scene.settings.arithmetic = arithmetic;
             const auto traced = traceScene(scene);
             const SetUpRecord setUp = traced->trace->setUp(0);
             if (setUp.rejection)

@@ -137,16 +137,22 @@ private slots:
     {
         QTest::addColumn<QString>("id");
         QTest::addColumn<VariantSet>("variants");
+        QTest::addColumn<Arithmetic>("arithmetic");
         for (const char *id :
              {"circle-midpoint", "circle-explicit", "circle-parametric", "circle-fill"})
-            QTest::newRow(id) << QString::fromLatin1(id) << VariantSet();
+            for (const Arithmetic arithmetic :
+                 listedArithmetics(*methodNamed(QString::fromLatin1(id))))
+                QTest::addRow("%s, %s", id, std::string(nameOf(arithmetic)).c_str())
+                    << QString::fromLatin1(id) << VariantSet() << arithmetic;
         QTest::newRow("circle-midpoint, stay-at-zero")
-            << QStringLiteral("circle-midpoint") << VariantSet().with(Variant::StayAtZero);
+            << QStringLiteral("circle-midpoint") << VariantSet().with(Variant::StayAtZero)
+            << Arithmetic::Exact;
     }
     void listingsOfCirclesDrawWhatTheirKernelsDraw()
     {
         QFETCH(QString, id);
         QFETCH(VariantSet, variants);
+        QFETCH(Arithmetic, arithmetic);
         std::mt19937 random(seed);
         std::size_t drawn = 0;
         for (int i = 0; i < 300; ++i) {
@@ -155,6 +161,7 @@ private slots:
                 round.fill = ShapeFill::EvenOdd;
             Scene scene = sceneOf(round, qPrintable(id), frameFor(i));
             scene.settings.variants = variants;
+            scene.settings.arithmetic = arithmetic;
             const auto traced = traceScene(scene);
             const LatticePoint centre = round.vertices[0].position;
             const LatticePoint corner = round.vertices[1].position;
@@ -177,24 +184,34 @@ private slots:
     {
         QTest::addColumn<QString>("id");
         QTest::addColumn<ShapeFill>("fill");
-        QTest::newRow("parity") << QStringLiteral("polygon-parity") << ShapeFill::EvenOdd;
-        QTest::newRow("winding") << QStringLiteral("polygon-parity") << ShapeFill::NonZero;
+        QTest::addColumn<Arithmetic>("arithmetic");
+        const auto add = [](const char *id, ShapeFill fill) {
+            const char *filled = fill == ShapeFill::NonZero ? "winding" : "parity";
+            for (const Arithmetic arithmetic :
+                 listedArithmetics(*methodNamed(QString::fromLatin1(id))))
+                QTest::addRow("%s, %s, %s", id, filled, std::string(nameOf(arithmetic)).c_str())
+                    << QString::fromLatin1(id) << fill << arithmetic;
+        };
+        for (const char *id : {"polygon-parity", "bezier-fill"}) {
+            add(id, ShapeFill::EvenOdd);
+            add(id, ShapeFill::NonZero);
+        }
         for (const char *id : {"polygon-fan", "polygon-delaunay", "polygon-tessellation"})
-            QTest::newRow(id) << QString::fromLatin1(id) << ShapeFill::EvenOdd;
-        QTest::newRow("Bézier, parity") << QStringLiteral("bezier-fill") << ShapeFill::EvenOdd;
-        QTest::newRow("Bézier, winding") << QStringLiteral("bezier-fill") << ShapeFill::NonZero;
-        QTest::newRow("outline") << QStringLiteral("polygon-outline") << ShapeFill::Outline;
+            add(id, ShapeFill::EvenOdd);
+        add("polygon-outline", ShapeFill::Outline);
     }
     void listingsOfPolygonsDrawWhatTheirKernelsDraw()
     {
         QFETCH(QString, id);
         QFETCH(ShapeFill, fill);
+        QFETCH(Arithmetic, arithmetic);
         std::mt19937 random(seed);
         std::size_t drawn = 0;
         for (int i = 0; i < 200; ++i) {
             const bool isCurve = id == QStringLiteral("bezier-fill");
             const Shape polygon = isCurve ? oddPath(i, random, fill) : oddPolygon(i, random, fill);
             Scene scene = sceneOf(polygon, qPrintable(id), frameFor(i));
+            scene.settings.arithmetic = arithmetic;
             scene.settings = methodNamed(id)->adapted(scene.settings); // its lines follow the rule
             const auto traced = traceScene(scene);
             if (traced->trace->setUp(0).rejection)

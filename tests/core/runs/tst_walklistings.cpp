@@ -14,16 +14,20 @@ namespace {
 
 constexpr unsigned seed = 13;
 
-/// The listing of a triangle from its vertices on, as a student would write it; A is the only
-/// number that it does not compute.
-ListingRun listingOf(const TracedScene &traced)
+/// A is the only number that a listing does not compute.
+ListingRun listingOf(const TracedScene &traced, const Pseudocode &code)
 {
     ListingNames names = vertexNames(traced.scene.triangles.front(), traced.scene.frame);
     const ListingNames setUp = setUpNames(traced);
     if (const auto area = setUp.find(QStringLiteral("A")); area != setUp.end())
         names.insert(*area);
-    return ListingRun(pseudocodeOf(traced, 0), names, frameBox(traced.scene.frame),
-                      ListingRun::SetUp::Run);
+    return ListingRun(code, names, frameBox(traced.scene.frame), ListingRun::SetUp::Run);
+}
+
+/// The listing of a triangle from its vertices on, as a student would write it.
+ListingRun listingOf(const TracedScene &traced)
+{
+    return listingOf(traced, pseudocodeOf(traced, 0));
 }
 
 /// The set-up ends with "done" where only the closed rule would draw a triangle without area, and
@@ -51,18 +55,23 @@ private slots:
         QTest::addColumn<QString>("id");
         QTest::addColumn<FillRule>("rule");
         QTest::addColumn<VariantSet>("variants");
+        QTest::addColumn<Arithmetic>("arithmetic");
         for (const char *id :
              {"column-scan", "row-walk", "column-scan-constant-rate", "row-walk-constant-rate",
               "column-scan-bias", "interpolate-bilinear", "interpolate-bilinear-rows",
               "interpolate-plane", "interpolate-barycentric", "midpoint-outline-fill"}) {
             const Method &method = *methodNamed(QString::fromLatin1(id));
-            for (const FillRule rule : method.fillRules) {
-                QTest::addRow("%s, %s", id, std::string(nameOf(rule)).c_str())
-                    << method.id << rule << VariantSet();
-                for (const Variant variant : method.variants)
-                    QTest::addRow("%s, %s, %s", id, std::string(nameOf(rule)).c_str(),
-                                  std::string(nameOf(variant)).c_str())
-                        << method.id << rule << VariantSet().with(variant);
+            for (const Arithmetic arithmetic : listedArithmetics(method)) {
+                const std::string numbers(nameOf(arithmetic));
+                for (const FillRule rule : method.fillRules) {
+                    const std::string edges(nameOf(rule));
+                    QTest::addRow("%s, %s, %s", id, numbers.c_str(), edges.c_str())
+                        << method.id << rule << VariantSet() << arithmetic;
+                    for (const Variant variant : method.variants)
+                        QTest::addRow("%s, %s, %s, %s", id, numbers.c_str(), edges.c_str(),
+                                      std::string(nameOf(variant)).c_str())
+                            << method.id << rule << VariantSet().with(variant) << arithmetic;
+                }
             }
         }
     }
@@ -71,13 +80,16 @@ private slots:
         QFETCH(QString, id);
         QFETCH(FillRule, rule);
         QFETCH(VariantSet, variants);
+        QFETCH(Arithmetic, arithmetic);
+        const int count = arithmetic == Arithmetic::Exact ? 200 : 60;
         std::mt19937 random(seed);
         std::size_t drawn = 0;
-        for (int i = 0; i < 200; ++i) {
+        for (int i = 0; i < count; ++i) {
             Scene scene = oddTriangleScene(i, random);
             scene.method = id.toStdString();
             scene.settings.fillRule = rule;
             scene.settings.variants = variants;
+            scene.settings.arithmetic = arithmetic;
             const auto traced = traceScene(scene);
             if (isDoneInSetUp(*traced))
                 continue;
@@ -89,7 +101,7 @@ private slots:
                     QStringLiteral("seed %1, triangle %2: %3").arg(seed).arg(i).arg(departure)));
             drawn += run.pixels().size();
         }
-        QVERIFY(drawn > 1500);
+        QVERIFY(drawn > std::size_t(7 * count));
     }
 
     /// The fault of a student who takes a column's bound for its first sample.
@@ -104,8 +116,7 @@ private slots:
         Pseudocode code = pseudocodeOf(*traced, 0);
         for (PseudocodeLine &line : code)
             line.text.remove(QStringLiteral(" + (y − y_B)·ΔR"));
-        ListingRun run(code, vertexNames(scene.triangles.front(), scene.frame),
-                       frameBox(scene.frame), ListingRun::SetUp::Run);
+        ListingRun run = listingOf(*traced, code);
         QVERIFY(departureOf(run, *traced).contains(QStringLiteral("listing (4, 2) ")));
     }
 };

@@ -8,6 +8,8 @@
 #include <QRegularExpression>
 #include <QTest>
 
+#include <utility>
+
 namespace tst_waysout {
 
 using namespace pixelplumb;
@@ -73,10 +75,16 @@ FileSettings without(const QString &way, FileSettings settings)
     return settings;
 }
 
-QString captured(const QString &text, const char *pattern)
+/// Which of the names in a list, "it keeps closed, open", is taken: this one, from 0, or the last.
+using Choice = qsizetype;
+constexpr Choice longestList = 5; ///< rules and arithmetics
+
+/// One of the names that a list captures; empty if there is none.
+QString captured(const QString &text, const char *pattern, Choice choice)
 {
     const auto match = QRegularExpression(QString::fromLatin1(pattern)).match(text);
-    return match.hasMatch() ? match.captured(1) : QString();
+    const QStringList names = match.captured(1).split(QStringLiteral(", "), Qt::SkipEmptyParts);
+    return names.isEmpty() ? QString() : names[std::min(choice, names.size() - 1)];
 }
 
 /// The scene of a body with every effect forced off.
@@ -99,14 +107,14 @@ QString objectionOfItsMethod(Scene scene, const OpenSettings &open)
     return objectionTo(scene);
 }
 
-/// Does what the first way that an objection names says.
-void follow(const QString &objection, Scene &scene)
+/// Does what an objection says, by one of the names in each of its lists.
+void follow(const QString &objection, Choice choice, Scene &scene)
 {
     ScanSettings &settings = scene.settings;
-    const QString other = captured(objection, "; ([a-z0-9-]+)(?:, [a-z0-9-]+)* can(?:,|$)");
+    const QString other = captured(objection, "; ([a-z0-9-]+(?:, [a-z0-9-]+)*) can(?:,|$)", choice);
     if (!other.isEmpty()) {
         scene.method = other.toStdString();
-        const QString not_ = captured(objection, " can, but not (.*)$");
+        const QString not_ = captured(objection, " can, but not (.*)$", 0);
         if (not_.contains(QStringLiteral("fill rule")))
             settings.fillRule = methodNamed(other)->fillRules.front();
         if (not_.contains(QStringLiteral("in “")))
@@ -115,13 +123,14 @@ void follow(const QString &objection, Scene &scene)
             settings.variants = {};
         return;
     }
-    if (const QString known = captured(objection, "it knows ([a-z]+[0-9]*(?:\\.[0-9]+)?)");
+    if (const QString known = captured(objection, "it knows ([a-z0-9., ]+[a-z0-9])", choice);
         !known.isEmpty())
         settings.arithmetic = *arithmeticNamed(known.toStdString());
-    if (const QString kept = captured(objection, "it keeps ([a-z-]+)"); !kept.isEmpty())
+    if (const QString kept = captured(objection, "it keeps ([a-z-]+(?:, [a-z-]+)*)", choice);
+        !kept.isEmpty())
         settings.fillRule = *fillRuleNamed(kept.toStdString());
     if (const QString able
-        = captured(objection, "it can (?:without them and )?in ([a-z]+[0-9]*(?:\\.[0-9]+)?)");
+        = captured(objection, "it can (?:without them and )?in ([a-z0-9., ]+[a-z0-9])", choice);
         !able.isEmpty())
         settings.arithmetic = *arithmeticNamed(able.toStdString());
     if (objection.contains(QStringLiteral("without them")))
@@ -245,10 +254,19 @@ private slots:
                             const QString objection = objectionTo(scene);
                             if (objection.isEmpty())
                                 continue;
-                            follow(objection, scene);
-                            QVERIFY2(objectionTo(scene).isEmpty(),
-                                     qPrintable(method.id + u' ' + objection
-                                                + QStringLiteral("\nthen ") + objectionTo(scene)));
+                            Scene last;
+                            for (Choice choice = 0; choice < longestList; ++choice) {
+                                Scene followed = scene;
+                                follow(objection, choice, followed);
+                                if (followed == std::exchange(last, followed))
+                                    break; // the end of each list
+                                const QString then = objectionTo(followed);
+                                QVERIFY2(then.isEmpty(),
+                                         qPrintable(method.id + u' ' + objection
+                                                    + QStringLiteral("\nthen, by choice %1, %2")
+                                                          .arg(choice)
+                                                          .arg(then)));
+                            }
                             ++refused;
                             several += objection.contains(QStringLiteral("It also")) ? 1 : 0;
                         }

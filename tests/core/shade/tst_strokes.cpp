@@ -18,7 +18,7 @@ using namespace pixelplumb;
 namespace {
 
 constexpr std::array kindsOfAntialiasing
-    = {Antialiasing::Area, Antialiasing::Samples4, Antialiasing::Samples16};
+    = {Antialiasing::None, Antialiasing::Area, Antialiasing::Samples4, Antialiasing::Samples16};
 
 Scene sceneOf(const std::vector<Shape> &shapes, const FrameSpec &frame, Antialiasing antialiasing)
 {

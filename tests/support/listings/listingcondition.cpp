@@ -9,12 +9,12 @@ namespace pixelplumb {
 namespace {
 
 /// "0 ≤ α ≤ 1".
-bool holdsChain(const QString &comparison, const ListingNames &names)
+bool holdsChain(const QString &comparison, const ListingNames &names, Arithmetic arithmetic)
 {
     const QString signs = QStringLiteral("<≤=≠≥>");
     std::vector<BigRational> values;
     QString between, side;
-    const auto end = [&] { values.push_back(valueOf(side.trimmed(), names)); };
+    const auto end = [&] { values.push_back(valueOf(side.trimmed(), names, arithmetic)); };
     for (const QChar character : comparison) {
         if (!signs.contains(character)) {
             side += character;
@@ -41,27 +41,27 @@ bool holdsChain(const QString &comparison, const ListingNames &names)
 }
 
 /// "A > 0, or A = 0 and B > 0".
-bool holdsOne(const QString &test, const ListingNames &names)
+bool holdsOne(const QString &test, const ListingNames &names, Arithmetic arithmetic)
 {
     const QStringList ways = test.split(QStringLiteral(", or "));
-    return std::ranges::any_of(ways, [&names](const QString &way) {
+    return std::ranges::any_of(ways, [&](const QString &way) {
         const QString rule = way.section(QStringLiteral(" by "), 1);
         if (!rule.isEmpty() && !names.contains(rule))
             return false;
         const QStringList comparisons
             = way.section(QStringLiteral(" by "), 0, 0).split(QStringLiteral(" and "));
         return std::ranges::all_of(
-            comparisons, [&names](const QString &each) { return holdsChain(each, names); });
+            comparisons, [&](const QString &each) { return holdsChain(each, names, arithmetic); });
     });
 }
 
 } // namespace
 
-bool holds(const QString &condition, const ListingNames &names)
+bool holds(const QString &condition, const ListingNames &names, Arithmetic arithmetic)
 {
     const QStringList tests = spelledOut(condition);
-    return std::ranges::all_of(tests,
-                               [&names](const QString &test) { return holdsOne(test, names); });
+    return std::ranges::all_of(
+        tests, [&](const QString &test) { return holdsOne(test, names, arithmetic); });
 }
 
 } // namespace pixelplumb

@@ -27,12 +27,38 @@ Number rootOf(const Number &value)
     return Number(root(BigInteger(numerator(floorOf(value * scale * scale))))) / scale;
 }
 
+enum class Operation { Add, Subtract, Multiply, Divide };
+
+template <class Value>
+Value resultOf(const Value &a, Operation operation, const Value &b)
+{
+    switch (operation) {
+    case Operation::Add:
+        return a + b;
+    case Operation::Subtract:
+        return a - b;
+    case Operation::Multiply:
+        return a * b;
+    case Operation::Divide:
+        break;
+    }
+    return a / b;
+}
+
+/// Numbers of the listing, computed by the machine's.
+template <class Float>
+Number resultIn(const Number &a, Operation operation, const Number &b)
+{
+    return Number(resultOf(a.convert_to<Float>(), operation, b.convert_to<Float>()));
+}
+
 /// Reads an expression from left to right.
 class Reader {
 public:
-    Reader(const QString &text, const ListingNames &names)
+    Reader(const QString &text, const ListingNames &names, Arithmetic arithmetic)
         : m_text(text)
         , m_names(names)
+        , m_arithmetic(arithmetic)
     {
     }
 
@@ -45,6 +71,22 @@ public:
     }
 
 private:
+    Number computed(const Number &a, Operation operation, const Number &b) const
+    {
+        if (m_arithmetic == Arithmetic::Float32)
+            return resultIn<float>(a, operation, b);
+        if (m_arithmetic == Arithmetic::Float64)
+            return resultIn<double>(a, operation, b);
+        return Number(resultOf(a, operation, b));
+    }
+    Number rooted(const Number &value) const
+    {
+        if (m_arithmetic == Arithmetic::Float32)
+            return Number(std::sqrt(value.convert_to<float>()));
+        if (m_arithmetic == Arithmetic::Float64)
+            return Number(std::sqrt(value.convert_to<double>()));
+        return rootOf(value);
+    }
     bool takes(const QString &token)
     {
         if (!QStringView(m_text).sliced(m_place).startsWith(token))
@@ -57,9 +99,9 @@ private:
         Number value = product();
         for (;;) {
             if (takes(QStringLiteral(" + ")))
-                value += product();
+                value = computed(value, Operation::Add, product());
             else if (takes(QStringLiteral(" − ")))
-                value -= product();
+                value = computed(value, Operation::Subtract, product());
             else
                 return value;
         }
@@ -69,12 +111,12 @@ private:
         Number value = factor();
         for (;;) {
             if (takes(QStringLiteral("·"))) {
-                value *= factor();
+                value = computed(value, Operation::Multiply, factor());
             } else if (takes(QStringLiteral("/"))) {
                 const Number divisor = factor();
                 if (divisor == 0)
                     throw ListingFault(QStringLiteral("divides by 0: ") + m_text);
-                value /= divisor;
+                value = computed(value, Operation::Divide, divisor);
             } else if (takes(QStringLiteral(" mod "))) {
                 const Number divisor = factor();
                 value -= divisor * floorOf(value / divisor);
@@ -88,13 +130,17 @@ private:
         if (takes(QStringLiteral("−")))
             return -factor();
         if (takes(QStringLiteral("cos ")))
-            return Number(std::cos(factor().convert_to<double>()));
+            return m_arithmetic == Arithmetic::Float32
+                ? Number(std::cos(factor().convert_to<float>()))
+                : Number(std::cos(factor().convert_to<double>()));
         if (takes(QStringLiteral("sin ")))
-            return Number(std::sin(factor().convert_to<double>()));
+            return m_arithmetic == Arithmetic::Float32
+                ? Number(std::sin(factor().convert_to<float>()))
+                : Number(std::sin(factor().convert_to<double>()));
         if (takes(QStringLiteral("√")))
-            return rootOf(factor());
+            return rooted(factor());
         const Number value = plainFactor();
-        return takes(QStringLiteral("²")) ? Number(value * value) : value;
+        return takes(QStringLiteral("²")) ? computed(value, Operation::Multiply, value) : value;
     }
     Number plainFactor()
     {
@@ -123,7 +169,9 @@ private:
             return named();
         const Number value(m_text.sliced(first, m_place - first).toStdString());
         // A number before a name multiplies: 2Δy
-        return m_place < m_text.size() && m_text[m_place].isLetter() ? value * named() : value;
+        return m_place < m_text.size() && m_text[m_place].isLetter()
+            ? computed(value, Operation::Multiply, named())
+            : value;
     }
     Number upTo(const QString &end)
     {
@@ -154,6 +202,7 @@ private:
 
     const QString &m_text;
     const ListingNames &m_names;
+    Arithmetic m_arithmetic;
     qsizetype m_place = 0;
 };
 
@@ -167,9 +216,9 @@ bool belongsToName(QChar character)
     return (character.isLetterOrNumber() && character != u'²') || character == u'_' || isSubscript;
 }
 
-BigRational valueOf(const QString &expression, const ListingNames &names)
+BigRational valueOf(const QString &expression, const ListingNames &names, Arithmetic arithmetic)
 {
-    return Reader(expression, names).result();
+    return Reader(expression, names, arithmetic).result();
 }
 
 } // namespace pixelplumb

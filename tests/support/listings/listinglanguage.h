@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/number/wideinteger.h"
+#include "core/scan/scansettings.h"
 
 #include <QStringList>
 
@@ -34,11 +35,11 @@ bool belongsToName(QChar character);
 QStringList spelledOut(const QString &text);
 
 /// The value of an expression of + − · / mod ( ), ⌊ ⌋, ⌈ ⌉, | |, √, ², cos, sin, (int)( ), whole
-/// numbers, ½, ¼ and names; 2Δy is 2·Δy.
-BigRational valueOf(const QString &expression, const ListingNames &names);
+/// numbers, ½, ¼ and names; 2Δy is 2·Δy. In float32 and float64 each operation rounds its result.
+BigRational valueOf(const QString &expression, const ListingNames &names, Arithmetic arithmetic);
 
 /// Whether a condition holds: "A > 0, or A = 0 and B > 0; C and D likewise", "0 ≤ A ≤ 1",
 /// "A = 1 by even-odd, or B ≠ 0 by non-zero", where the name after "by" has a value if it is asked.
-bool holds(const QString &condition, const ListingNames &names);
+bool holds(const QString &condition, const ListingNames &names, Arithmetic arithmetic);
 
 } // namespace pixelplumb

@@ -12,7 +12,23 @@ namespace {
 
 QString withoutRemark(const QString &line) { return line.section(QStringLiteral(" — "), 0, 0); }
 
+ListingState::Asked askedBy(const QString &line)
+{
+    return line.section(QStringLiteral(" — "), 1).contains(QStringLiteral("exact"))
+        ? ListingState::Asked::Exact
+        : ListingState::Asked::AsComputed;
+}
+
 } // namespace
+
+void ListingRun::computeIn(Arithmetic arithmetic)
+{
+    const bool isAnyExact = std::ranges::any_of(m_code, [](const PseudocodeLine &line) {
+        return askedBy(line.text) == ListingState::Asked::Exact;
+    });
+    m_state.computeIn(arithmetic,
+                      isAnyExact ? ListingState::Asked::Exact : ListingState::Asked::AsComputed);
+}
 
 void ListingRun::run()
 {
@@ -63,7 +79,9 @@ void ListingRun::runBlock(std::size_t first, std::size_t end)
 
 void ListingRun::runLine(std::size_t line)
 {
-    const QString text = m_state.meant(withoutRemark(m_code[line].text));
+    const QString &listed = m_code[line].text;
+    const QString text = m_state.meant(withoutRemark(listed));
+    m_state.ask(askedBy(listed));
     if (!runLoop(line, text) && !runCase(line, text))
         m_state.run(text);
 }
@@ -108,20 +126,28 @@ bool ListingRun::runBox(std::size_t line, const QString &text)
 bool ListingRun::runRange(std::size_t line, const QString &text)
 {
     static const QRegularExpression ofRange(
-        QStringLiteral("^for each (?:\\w+ )?(\\S+)(?: = i/(\\S+))? from (.+?)( down)? to (.+):$"),
+        QStringLiteral("^for each (?:\\w+ )?(\\S+)(?: = i/(\\S+))?( of the frame)? from (.+?)( "
+                       "down)? to (.+):$"),
         QRegularExpression::UseUnicodePropertiesOption);
     const auto match = ofRange.match(text);
     if (!match.hasMatch())
         return false;
     const Number size
         = match.captured(2).isEmpty() ? Number(1) : Number(1) / m_state.valueOf(match.captured(2));
-    const bool isDown = !match.captured(4).isEmpty();
+    const bool isDown = !match.captured(5).isEmpty();
     const Number step = isDown ? Number(-size) : size;
-    const Number last = m_state.valueOf(match.captured(5));
+    Number first = m_state.valueOf(match.captured(4)), last = m_state.valueOf(match.captured(6));
+    if (!match.captured(3).isEmpty()) {
+        m_state.set(match.captured(1) + QStringLiteral("_first"), first);
+        const auto [least, greatest] = m_state.frameAlong(match.captured(1));
+        first = isDown ? std::min(first, Number(greatest)) : std::max(first, Number(least));
+        last = isDown ? std::max(last, Number(least)) : std::min(last, Number(greatest));
+    }
     const bool wasFirst = std::exchange(m_isFirst, true);
-    for (Number at = m_state.valueOf(match.captured(3)); isDown ? at >= last : at <= last;
-         at += step) {
+    for (Number at = first; isDown ? at >= last : at <= last; at += step) {
         m_state.set(match.captured(1), at);
+        if (!match.captured(2).isEmpty())
+            m_state.set(QStringLiteral("i"), Number(at / size));
         runRound(line);
         m_isFirst = false;
     }

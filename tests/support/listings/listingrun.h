@@ -6,11 +6,12 @@
 
 namespace pixelplumb {
 
-/// Runs a method's listing as printed, in exact numbers: what a student gets who types it in.
+/// Runs a method's listing as printed: what a student gets who types it in.
 /// It knows the statements of listingstate.h and
 ///   for each x of the box:                    the box's samples, ascending
 ///   for each column x from A to B:            "column" may be another word or missing
 ///   for each row y from A down to B:
+///   for each column x of the frame from A to B:     those that the frame has; x_first is A
 ///   for each t = i/N from A to B:             i = 0, 1, 2 …
 ///   for each edge L_ij of L₀₁, L₁₂, L₀₂: …    statements, or a block, in which i and j are the
 ///                                             edge's digits
@@ -26,7 +27,8 @@ namespace pixelplumb {
 ///   the first: …    else if A > 0: …    else: …     in a loop: in its first round, or else
 ///   where it begins: …                        if what is assigned first has no value yet
 ///   if A > 0, or A = 0 and B > 0; C and D likewise:     a block, or "…: statements"
-/// Text after " — " is a remark for the reader.
+/// Text after " — " is a remark for the reader; one with the word "exact" makes a condition or a
+/// loop read values that were never rounded.
 class ListingRun {
 public:
     using Number = BigRational;
@@ -48,6 +50,8 @@ public:
         , m_setUp(setUp)
     {
     }
+    /// Runs the listing in these numbers: exact, float32 or float64.
+    void computeIn(Arithmetic arithmetic);
     /// The points or edges of a primitive that has many.
     void setItems(std::vector<Item> items)
     {

@@ -84,6 +84,8 @@ ListingNames setUpNames(const TracedScene &traced)
         if (value.isRational())
             names[numbers[i].title]
                 = BigRational(BigInteger(value.numerator()), BigInteger(value.denominator()));
+        else if (!value.isNone() && value.isFinite())
+            names[numbers[i].title] = BigRational(value.toDouble());
     }
     return names;
 }
@@ -106,8 +108,20 @@ ListingRun::Pixels pixelsOf(const TracedScene &traced)
     return pixels;
 }
 
+std::vector<Arithmetic> listedArithmetics(const Method &method)
+{
+    std::vector<Arithmetic> listed;
+    for (const Arithmetic arithmetic :
+         {Arithmetic::Exact, Arithmetic::Float32, Arithmetic::Float64}) {
+        if (method.supports(arithmetic))
+            listed.push_back(arithmetic);
+    }
+    return listed;
+}
+
 QString departureOf(ListingRun &run, const TracedScene &traced)
 {
+    run.computeIn(traced.scene.settings.arithmetic);
     try {
         run.run();
     } catch (const ListingFault &fault) {

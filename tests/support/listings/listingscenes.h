@@ -23,8 +23,11 @@ SampleBox frameBox(const FrameSpec &frame);
 /// The pixels that the kernel writes; a single triangle writes each once.
 ListingRun::Pixels pixelsOf(const TracedScene &traced);
 
-/// Runs a listing of the scene's first primitive; says how its picture differs from the kernel's,
-/// or why it cannot be run. Empty if the two are the same.
+/// The arithmetics of a method in which its listing is run.
+std::vector<Arithmetic> listedArithmetics(const Method &method);
+
+/// Runs a listing of the scene's first primitive in the scene's arithmetic; says how its picture
+/// differs from the kernel's, or why it cannot be run. Empty if the two are the same.
 QString departureOf(ListingRun &run, const TracedScene &traced);
 
 } // namespace pixelplumb

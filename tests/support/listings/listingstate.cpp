@@ -12,7 +12,8 @@ namespace pixelplumb {
 void ListingState::run(const QString &text)
 {
     if (text.startsWith(QStringLiteral("sort the vertices "))) {
-        sortVertices(text);
+        sortVertices(text, m_names);
+        sortVertices(text, m_exact);
         return;
     }
     auto statements = m_spelledOut.find(text);
@@ -60,11 +61,11 @@ void ListingState::assign(const QString &statement)
         = names.size() == 1 ? QStringList(right) : right.split(QStringLiteral(", "));
     if (names.size() != expressions.size())
         throw ListingFault(QStringLiteral("unequal sides: ") + statement);
-    std::vector<Number> values;
+    std::vector<Result> results;
     for (const QString &expression : expressions)
-        values.push_back(valueOf(expression));
+        results.push_back(resultOf(chosen(expression)));
     for (qsizetype i = 0; i < names.size(); ++i)
-        m_names[names[i]] = values[std::size_t(i)];
+        set(names[i], results[std::size_t(i)]);
 }
 
 void ListingState::add(const QString &statement)
@@ -75,16 +76,38 @@ void ListingState::add(const QString &statement)
     if (names.size() != changes.size())
         throw ListingFault(QStringLiteral("unequal sides: ") + statement);
     for (qsizetype i = 0; i < names.size(); ++i) {
-        const Number change = valueOf(changes[i]);
-        m_names[names[i]] = valueOf(names[i]) + change;
+        const QString sum = names[i] + QStringLiteral(" + ") + changes[i];
+        set(names[i], resultOf(sum));
     }
+}
+
+/// An exact value that does not exist, since it would divide by 0, is that which is computed.
+ListingState::Result ListingState::resultOf(const QString &expression) const
+{
+    const Number computed = pixelplumb::valueOf(expression, m_names, m_arithmetic);
+    if (!m_keepsExact)
+        return {computed, {}};
+    try {
+        return {computed, pixelplumb::valueOf(expression, m_exact, Arithmetic::Exact)};
+    } catch (const ListingFault &) {
+        return {computed, computed};
+    }
+}
+
+void ListingState::set(const QString &name, const Result &result)
+{
+    m_names[name] = result.computed;
+    if (m_keepsExact)
+        m_exact[name] = result.exact;
 }
 
 /// Of the two ends of an edge, and of each pixel from here on.
 void ListingState::exchangeAxes()
 {
-    std::swap(m_names.at(QStringLiteral("x₀")), m_names.at(QStringLiteral("y₀")));
-    std::swap(m_names.at(QStringLiteral("x₁")), m_names.at(QStringLiteral("y₁")));
+    for (ListingNames *names : {&m_names, &m_exact}) {
+        std::swap(names->at(QStringLiteral("x₀")), names->at(QStringLiteral("y₀")));
+        std::swap(names->at(QStringLiteral("x₁")), names->at(QStringLiteral("y₁")));
+    }
     m_exchange = Exchange::Axes;
 }
 
@@ -99,9 +122,9 @@ void ListingState::draw(const QString &statement)
         const QString named = match.captured(part);
         const Number level
             = valueOf(named.isEmpty() ? QStringLiteral("colour ") + QLatin1String(channel) : named);
-        // Rounds towards 0, which is down for levels that are not negative.
-        const Number half = std::clamp(level, Number(0), Number(255)) + Number(1, 2);
-        return BigInteger(numerator(half) / denominator(half)).convert_to<int>();
+        const ListingNames levels = {{QStringLiteral("R"), level}};
+        const Number nearest = pixelplumb::valueOf(QStringLiteral("⌊R + ½⌋"), levels, m_arithmetic);
+        return std::clamp(nearest, Number(0), Number(255)).convert_to<int>();
     };
     const QRgb colour = qRgb(byte(3, "R"), byte(4, "G"), byte(5, "B"));
     const QString address = match.captured(2);
@@ -134,16 +157,26 @@ void ListingState::write(const QString &place, QRgb colour)
 
 bool ListingState::holds(const QString &condition) const
 {
-    return pixelplumb::holds(condition, m_names);
+    return m_keepsExact && m_asked == Asked::Exact
+        ? pixelplumb::holds(condition, m_exact, Arithmetic::Exact)
+        : pixelplumb::holds(condition, m_names, m_arithmetic);
 }
 
 ListingState::Number ListingState::valueOf(const QString &expression) const
 {
-    return pixelplumb::valueOf(chosen(expression), m_names);
+    return m_keepsExact && m_asked == Asked::Exact
+        ? pixelplumb::valueOf(chosen(expression), m_exact, Arithmetic::Exact)
+        : pixelplumb::valueOf(chosen(expression), m_names, m_arithmetic);
+}
+
+std::pair<std::int64_t, std::int64_t> ListingState::frameAlong(const QString &coordinate) const
+{
+    const bool isY = (coordinate == QStringLiteral("y")) != (m_exchange == Exchange::Axes);
+    return isY ? std::pair(m_box.firstY, m_box.endY - 1) : std::pair(m_box.firstX, m_box.endX - 1);
 }
 
 /// Vertices of equal x are ordered by y, those of equal y by x. The names that they get may be new.
-void ListingState::sortVertices(const QString &statement)
+void ListingState::sortVertices(const QString &statement, ListingNames &names)
 {
     const bool isByY = statement.contains(QStringLiteral("by y"));
     std::array<std::array<Number, 5>, 3> vertices; // in the order x, y, R, G, B
@@ -151,7 +184,7 @@ void ListingState::sortVertices(const QString &statement)
     for (std::size_t vertex = 0; vertex < 3; ++vertex)
         for (std::size_t letter = 0; letter < 5; ++letter)
             vertices[vertex][letter]
-                = m_names.at(letters[qsizetype(letter)] + QString(QChar(u'₀' + int(vertex))));
+                = names.at(letters[qsizetype(letter)] + QString(QChar(u'₀' + int(vertex))));
     const auto before = [isByY](const auto &a, const auto &b) {
         return isByY ? std::tuple(b[1], a[0]) < std::tuple(a[1], b[0])
                      : std::tuple(a[0], a[1]) < std::tuple(b[0], b[1]);
@@ -163,7 +196,7 @@ void ListingState::sortVertices(const QString &statement)
                                    .split(QStringLiteral(", "));
     for (std::size_t vertex = 0; vertex < 3; ++vertex)
         for (std::size_t letter = 0; letter < sorted; ++letter)
-            m_names[letters[qsizetype(letter)] + points[qsizetype(vertex)].sliced(1)]
+            names[letters[qsizetype(letter)] + points[qsizetype(vertex)].sliced(1)]
                 = vertices[vertex][letter];
 }
 

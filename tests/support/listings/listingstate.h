@@ -32,10 +32,21 @@ public:
 
     ListingState(ListingNames names, const SampleBox &box, Exchange exchange)
         : m_names(std::move(names))
+        , m_exact(m_names)
         , m_box(box)
         , m_exchange(exchange)
     {
     }
+    /// Which values are kept, and which of them decisions and loops read.
+    enum class Asked { AsComputed, Exact };
+    /// From here on each operation rounds its result to this arithmetic: exact, float32 or float64.
+    /// Exact values are kept beside the rounded ones where lines ask for them.
+    void computeIn(Arithmetic arithmetic, Asked kept)
+    {
+        m_arithmetic = arithmetic;
+        m_keepsExact = arithmetic != Arithmetic::Exact && kept == Asked::Exact;
+    }
+    void ask(Asked asked) { m_asked = asked; }
 
     /// Throws ListingFault, as all of these do.
     void run(const QString &statements);
@@ -44,8 +55,10 @@ public:
     Number valueOf(const QString &expression) const;
 
     bool knows(const QString &name) const { return m_names.contains(name); }
-    void set(const QString &name, const Number &value) { m_names[name] = value; }
+    void set(const QString &name, const Number &value) { set(name, Result{value, value}); }
     void setExchange(Exchange exchange) { m_exchange = exchange; }
+    /// The samples of the frame along a coordinate that a loop goes through: first and last.
+    std::pair<std::int64_t, std::int64_t> frameAlong(const QString &coordinate) const;
 
     /// Lets i and j stand for the two digits of an edge, k for a number; nothing if empty.
     void setEdge(const QString &digits) { m_edge = digits; }
@@ -58,16 +71,25 @@ public:
     const Pixels &pixels() const { return m_pixels; }
 
 private:
+    struct Result {
+        Number computed, exact;
+    };
+    Result resultOf(const QString &expression) const;
+    void set(const QString &name, const Result &result);
     void runStatement(const QString &text);
     QString chosen(const QString &expression) const;
     void assign(const QString &statement);
     void add(const QString &statement);
-    void sortVertices(const QString &statement);
+    static void sortVertices(const QString &statement, ListingNames &names);
     void exchangeAxes();
     void draw(const QString &statement);
     void write(const QString &place, QRgb colour);
 
-    ListingNames m_names;
+    ListingNames m_names; ///< as computed
+    ListingNames m_exact; ///< without rounding
+    Arithmetic m_arithmetic = Arithmetic::Exact;
+    bool m_keepsExact = false;
+    Asked m_asked = Asked::AsComputed;
     SampleBox m_box;
     Exchange m_exchange;
     QString m_edge, m_index;

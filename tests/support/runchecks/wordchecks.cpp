@@ -40,6 +40,20 @@ QString titleFault(const CheckedRun &run)
     return {};
 }
 
+/// A number whose title says how it is rounded is computed by just that.
+QString roundingFault(const CheckedRun &run)
+{
+    const ScanTrace &trace = *run.traced->trace;
+    for (const std::size_t span : spreadOver(trace.spanCount(), titledSpans)) {
+        for (const NumberDescription &number : trace.spanWords(span).numbers) {
+            const bool rounds = number.title.contains(u'⌈') || number.title.contains(u'⌊');
+            if (rounds && !number.formula.endsWith(QStringLiteral(" = ") + number.title))
+                return QStringLiteral("“%1” is “%2”").arg(number.title, number.formula);
+        }
+    }
+    return {};
+}
+
 QString testedFault(const CheckedRun &run)
 {
     const Method &method = *run.traced->method;
@@ -74,6 +88,7 @@ std::vector<RunCheck> wordChecks()
 {
     return {{QStringLiteral("every step has a heading and a sentence"), sentenceFault},
             {QStringLiteral("titles follow the settings alone"), titleFault},
+            {QStringLiteral("a heading that rounds is the formula"), roundingFault},
             {QStringLiteral("only methods that test samples say so"), testedFault},
             {QStringLiteral("coordinates that are not the scene's are said to be"), centreFault}};
 }

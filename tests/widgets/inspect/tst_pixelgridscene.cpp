@@ -7,6 +7,8 @@
 
 #include <QTest>
 
+#include <cmath>
+
 namespace tst_pixelgridscene {
 
 using namespace pixelplumb;
@@ -40,6 +42,68 @@ private slots:
         QCOMPARE(boundsAround({23, 20}),
                  QStringLiteral("column 27")); // the last of the visible cells
         QCOMPARE(boundsAround({32, 20}), QString());
+    }
+
+    /// Of edges through samples the rule takes some and not others, so that the roundings differ.
+    void theRoundingsOfABoundGiveItsSample_data()
+    {
+        QTest::addColumn<QString>("id");
+        QTest::addColumn<FrameOrigin>("origin");
+        for (const char *id : {"interpolate-plane", "interpolate-bilinear-rows", "column-scan"}) {
+            QTest::addRow("%s", id) << QString::fromLatin1(id) << FrameOrigin::BottomLeft;
+            QTest::addRow("%s, y down", id) << QString::fromLatin1(id) << FrameOrigin::TopLeft;
+        }
+    }
+    void theRoundingsOfABoundGiveItsSample()
+    {
+        QFETCH(QString, id);
+        QFETCH(FrameOrigin, origin);
+        Scene scene;
+        scene.frame.width = scene.frame.height = 16;
+        scene.frame.origin = origin;
+        scene.method = id.toStdString();
+        scene.settings.arithmetic = Arithmetic::Float32;
+        scene.triangles = {
+            Triangle{
+                {{{latticePixel(0, 0), {}}, {latticePixel(8, 8), {}}, {latticePixel(12, 0), {}}}}},
+            Triangle{{{{latticePixel(0, 15), {}},
+                       {latticePixel(8, 9), {}},
+                       {latticePixel(12, 15), {}}}}}};
+        for (const FillRule rule : methodNamed(id)->fillRules) {
+            scene.settings.fillRule = rule;
+            Playhead playhead;
+            const DisplayOptions options;
+            playhead.setTraced(traceScene(scene));
+            for (std::size_t i = 0; i < playhead.traced()->trace->spanCount(); ++i) {
+                playhead.seekToSpan(i);
+                const PixelGridScene shown = pixelGridScene(playhead, options, cellsAround({8, 8}));
+                if (shown.span->firstSample >= shown.span->endSample)
+                    continue;
+                const double lower = shown.span->lower.toDouble();
+                const double upper = shown.span->upper.toDouble();
+                const auto &[first, last] = shown.roundings;
+                const double least
+                    = first.startsWith(u'⌈') ? std::ceil(lower) : std::floor(lower) + 1;
+                const double greatest
+                    = last.startsWith(u'⌊') ? std::floor(upper) : std::ceil(upper) - 1;
+                QCOMPARE(double(shown.span->firstSample), least);
+                QCOMPARE(double(shown.span->endSample - 1), greatest);
+                QCOMPARE(shown.areBoundsExact, id != QStringLiteral("column-scan"));
+            }
+        }
+    }
+
+    void aBiasIsPartOfTheRounding()
+    {
+        Scene scene = defaultSceneIn(Arithmetic::Float64);
+        scene.method = "column-scan-bias";
+        Playhead playhead;
+        playhead.setTraced(traceScene(scene));
+        playhead.seekToSpan(std::size_t(rowOf(27)));
+        const PixelGridScene shown
+            = pixelGridScene(playhead, DisplayOptions(), cellsAround({27, 20}));
+        QCOMPARE(shown.roundings[0], QStringLiteral("⌈y_B−β_B⌉"));
+        QCOMPARE(shown.roundings[1], QStringLiteral("⌊y_T+β_T⌋"));
     }
 
     void candidatesAreTheRowsThatAreNotWrittenYet()

@@ -192,12 +192,13 @@ void GradeReviewPane::showReview()
     m_sentences->setText(sentencesFor(told, report.assignment.hint).join(u'\n'));
 }
 
-/// A right submission needs no explanation.
+/// A submission that lost nothing needs no explanation.
 void GradeReviewPane::showCauses()
 {
     const GradedSubmission *submission
         = m_shown ? &m_book->report().submissions[*m_shown] : nullptr;
-    const bool hasCause = submission && submission->verdict != GradeVerdict::Right;
+    const bool hasCause = submission
+        && (submission->verdict != GradeVerdict::Right || !submission->lostInvariants().isEmpty());
     m_causes->setVisible(hasCause);
     m_causes->setWholeText(hasCause ? m_book->clusters()[m_book->clusterOf(*m_shown)].title
                                     : QString());
