@@ -46,7 +46,7 @@ public:
     /// Ends the command where help was asked for, or the words are wrong.
     void parse(const QStringList &arguments);
 
-    bool asksForJson() const { return isSet(QStringLiteral("json")); }
+    bool asksForJson() const { return isSet(u"json"_s); }
     bool isSet(const QString &option) const { return m_parser.isSet(option); }
     /// Negative numbers are values, not options.
     QString value(const QString &option) const;

@@ -22,10 +22,10 @@ void printNumbers(const QString &title, const std::vector<NumberDescription> &nu
 {
     if (numbers.empty())
         return;
-    printLine(QStringLiteral("  numbers of %1").arg(title));
+    printLine(u"  numbers of %1"_s.arg(title));
     for (const NumberDescription &number : numbers) {
-        const QString unit = number.unit.isEmpty() ? QString() : QStringLiteral(", ") + number.unit;
-        printLine(QStringLiteral("    %1%2: %3").arg(number.title, unit, number.toolTip));
+        const QString unit = number.unit.isEmpty() ? QString() : u", "_s + number.unit;
+        printLine(u"    %1%2: %3"_s.arg(number.title, unit, number.toolTip));
     }
 }
 
@@ -33,11 +33,11 @@ QJsonArray jsonOf(const std::vector<NumberDescription> &numbers)
 {
     QJsonArray list;
     for (const NumberDescription &number : numbers)
-        list.append(QJsonObject{{QStringLiteral("id"), number.id},
-                                {QStringLiteral("title"), number.title},
-                                {QStringLiteral("unit"), number.unit},
-                                {QStringLiteral("meaning"), number.toolTip},
-                                {QStringLiteral("formula"), number.formula}});
+        list.append(QJsonObject{{u"id"_s, number.id},
+                                {u"title"_s, number.title},
+                                {u"unit"_s, number.unit},
+                                {u"meaning"_s, number.toolTip},
+                                {u"formula"_s, number.formula}});
     return list;
 }
 
@@ -48,40 +48,38 @@ void printShares(const Method &method, Arithmetic arithmetic,
     QStringList shares;
     for (const StandardExample &example : examples) {
         const auto counts = countOperations(method, arithmetic, example);
-        shares.append(QStringLiteral("%1 % on %2")
-                          .arg(100 * counts->setUpShare(), 0, 'f', 1)
-                          .arg(example.name.section(QStringLiteral(" in "), 0, 0)));
+        shares.append(u"%1 % on %2"_s.arg(100 * counts->setUpShare(), 0, 'f', 1)
+                          .arg(example.name.section(u" in "_s, 0, 0)));
     }
-    printLine(QStringLiteral("    share of the set-up: %1").arg(shares.join(QStringLiteral(", "))));
+    printLine(u"    share of the set-up: %1"_s.arg(shares.join(u", "_s)));
 }
 
 void printOperations(const Method &method)
 {
     if (!isCounted(method)) {
-        printLine(QStringLiteral("  operations   %1")
-                      .arg(countingGap(method, method.arithmetics.front())));
+        printLine(u"  operations   %1"_s.arg(countingGap(method, method.arithmetics.front())));
         return;
     }
     const std::vector<StandardExample> examples = standardExamplesFor(method);
     for (const Arithmetic arithmetic : method.arithmetics) {
         const auto counts = countOperations(method, arithmetic, examples.front());
-        printLine(QStringLiteral("  operations in %1, %2")
-                      .arg(nameText(nameOf(arithmetic)), examples.front().name));
-        printLine(QStringLiteral("    %1").arg(countsText(*counts)));
+        printLine(
+            u"  operations in %1, %2"_s.arg(nameText(nameOf(arithmetic)), examples.front().name));
+        printLine(u"    %1"_s.arg(countsText(*counts)));
         for (const QString &row : operationTableText(*counts))
-            printLine(QStringLiteral("    %1").arg(row));
+            printLine(u"    %1"_s.arg(row));
         printShares(method, arithmetic, examples);
         if (const QString gap = countingGap(method, arithmetic); !gap.isEmpty())
-            printLine(QStringLiteral("    %1").arg(gap));
+            printLine(u"    %1"_s.arg(gap));
     }
 }
 
 QJsonObject jsonOf(const OperationCounts &counts)
 {
-    QJsonObject object{{QStringLiteral("set-ups"), qint64(counts.primitives)},
-                       {QStringLiteral("spans"), qint64(counts.spans)},
-                       {QStringLiteral("pixels"), qint64(counts.pixels)},
-                       {QStringLiteral("refused"), qint64(counts.refused)}};
+    QJsonObject object{{u"set-ups"_s, qint64(counts.primitives)},
+                       {u"spans"_s, qint64(counts.spans)},
+                       {u"pixels"_s, qint64(counts.pixels)},
+                       {u"refused"_s, qint64(counts.refused)}};
     for (const WorkStage stage : allWorkStages) {
         QJsonObject kinds;
         for (const Operation operation : allOperations)
@@ -89,8 +87,8 @@ QJsonObject jsonOf(const OperationCounts &counts)
         object.insert(nameText(nameOf(stage)), kinds);
     }
     if (counts.edgesOfRows > 0) {
-        object.insert(QStringLiteral("edgesLookedAt"), qint64(counts.edgesLookedAt));
-        object.insert(QStringLiteral("edgesOfRows"), qint64(counts.edgesOfRows));
+        object.insert(u"edgesLookedAt"_s, qint64(counts.edgesLookedAt));
+        object.insert(u"edgesOfRows"_s, qint64(counts.edgesOfRows));
     }
     return object;
 }
@@ -104,9 +102,9 @@ QJsonArray operationsJson(const Method &method)
             if (!counts)
                 continue;
             QJsonObject object = jsonOf(*counts);
-            object.insert(QStringLiteral("example"), example.name);
-            object.insert(QStringLiteral("arithmetic"), nameText(nameOf(arithmetic)));
-            object.insert(QStringLiteral("gap"), countingGap(method, arithmetic));
+            object.insert(u"example"_s, example.name);
+            object.insert(u"arithmetic"_s, nameText(nameOf(arithmetic)));
+            object.insert(u"gap"_s, countingGap(method, arithmetic));
             list.append(object);
         }
     }
@@ -117,38 +115,34 @@ QJsonArray operationsJson(const Method &method)
 void printNames(const QString &title, const QStringList &names)
 {
     if (!names.isEmpty())
-        printLine(title + names.join(QStringLiteral(", ")));
+        printLine(title + names.join(u", "_s));
 }
 
 void printDescription(const Method &method)
 {
-    printLine(QStringLiteral("%1: %2").arg(method.id, method.title));
-    printLine(QStringLiteral("  %1").arg(method.summary));
-    printNames(QStringLiteral("  draws        "), kindsOf(method));
-    printLine(QStringLiteral("  source       %1").arg(method.source));
-    printNames(QStringLiteral("  arithmetics  "), namesOf(method.arithmetics));
-    printNames(QStringLiteral("  true in      "), namesOf(method.stableArithmetics));
-    printNames(QStringLiteral("  fill rules   "), namesOf(method.fillRules));
+    printLine(u"%1: %2"_s.arg(method.id, method.title));
+    printLine(u"  %1"_s.arg(method.summary));
+    printNames(u"  draws        "_s, kindsOf(method));
+    printLine(u"  source       %1"_s.arg(method.source));
+    printNames(u"  arithmetics  "_s, namesOf(method.arithmetics));
+    printNames(u"  true in      "_s, namesOf(method.stableArithmetics));
+    printNames(u"  fill rules   "_s, namesOf(method.fillRules));
     if (!method.fillRuleReason.isEmpty())
-        printLine(QStringLiteral("  no others:   because %1").arg(method.fillRuleReason));
-    printNames(QStringLiteral("  effects      "), namesOf(method.effects));
-    printNames(QStringLiteral("  beyond colour and clipping in "),
-               namesOf(method.shadingArithmetics));
+        printLine(u"  no others:   because %1"_s.arg(method.fillRuleReason));
+    printNames(u"  effects      "_s, namesOf(method.effects));
+    printNames(u"  beyond colour and clipping in "_s, namesOf(method.shadingArithmetics));
     for (const Variant variant : method.variants) {
         const VariantWords &words = wordsOf(variant, method.spanAxis);
-        printLine(
-            QStringLiteral("  variant      %1: %2, in place of %3")
-                .arg(nameText(nameOf(variant)), nameText(words.printed), nameText(words.right)));
-        printLine(QStringLiteral("               %1 (%2)")
-                      .arg(nameText(words.fault), nameText(words.source)));
+        printLine(u"  variant      %1: %2, in place of %3"_s.arg(
+            nameText(nameOf(variant)), nameText(words.printed), nameText(words.right)));
+        printLine(u"               %1 (%2)"_s.arg(nameText(words.fault), nameText(words.source)));
     }
-    printNames(QStringLiteral("  remarks      "), method.remarks);
+    printNames(u"  remarks      "_s, method.remarks);
 }
 
 QString areaText(const PseudocodeLine &line)
 {
-    return line.of == LineOf::Segment ? QStringLiteral("triangles without area")
-                                      : QStringLiteral("triangles with area");
+    return line.of == LineOf::Segment ? u"triangles without area"_s : u"triangles with area"_s;
 }
 
 /// When a line is present: "   [closed; triangles without area]".
@@ -161,30 +155,26 @@ QString conditionText(const ListedLine &listed)
     if (line.effect)
         conditions.append(nameText(nameOf(*line.effect)));
     if (!line.antialiasing.empty())
-        conditions.append(QStringLiteral("antialiasing ")
-                          + namesOf(line.antialiasing).join(QStringLiteral(", ")));
+        conditions.append(u"antialiasing "_s + namesOf(line.antialiasing).join(u", "_s));
     if (line.of != LineOf::EveryPrimitive)
         conditions.append(areaText(line));
-    return conditions.empty()
-        ? QString()
-        : QStringLiteral("   [%1]").arg(conditions.join(QStringLiteral("; ")));
+    return conditions.empty() ? QString() : u"   [%1]"_s.arg(conditions.join(u"; "_s));
 }
 
 QJsonArray jsonOf(const std::vector<ListedLine> &code)
 {
     QJsonArray list;
     for (const auto &[line, where] : code) {
-        QJsonObject object{{QStringLiteral("depth"), line.depth},
-                           {QStringLiteral("text"), line.text}};
+        QJsonObject object{{u"depth"_s, line.depth}, {u"text"_s, line.text}};
         if (!where.isEmpty())
-            object.insert(QStringLiteral("where"), where);
+            object.insert(u"where"_s, where);
         if (line.effect)
-            object.insert(QStringLiteral("effect"), nameText(nameOf(*line.effect)));
+            object.insert(u"effect"_s, nameText(nameOf(*line.effect)));
         if (!line.antialiasing.empty())
-            object.insert(QStringLiteral("antialiasing"),
+            object.insert(u"antialiasing"_s,
                           QJsonArray::fromStringList(namesOf(line.antialiasing)));
         if (line.of != LineOf::EveryPrimitive)
-            object.insert(QStringLiteral("of"), areaText(line));
+            object.insert(u"of"_s, areaText(line));
         list.append(object);
     }
     return list;
@@ -195,7 +185,7 @@ void printPseudocode(const QString &title, const std::vector<ListedLine> &code)
 {
     if (code.empty())
         return;
-    printLine(QStringLiteral("  %1").arg(title));
+    printLine(u"  %1"_s.arg(title));
     for (const ListedLine &listed : code)
         printLine(QString(4 + 4 * listed.line.depth, u' ') + listed.line.text
                   + conditionText(listed));
@@ -212,16 +202,16 @@ std::vector<Defect> defectsOf(const Method &method)
 
 void printDefects(const Method &method)
 {
-    printLine(QStringLiteral("  known defects"));
+    printLine(u"  known defects"_s);
     int shifts = 0;
     for (const Defect &defect : defectsOf(method)) {
-        if (defect.id.startsWith(QLatin1String("shifted-by-")))
+        if (defect.id.startsWith("shifted-by-"_L1))
             ++shifts;
         else
-            printLine(QStringLiteral("    %1  %2").arg(defect.id, -28).arg(defect.forAssistant));
+            printLine(u"    %1  %2"_s.arg(defect.id, -28).arg(defect.forAssistant));
     }
-    printLine(QStringLiteral("    %1  %2 more: the whole picture is shifted by some pixels.")
-                  .arg(QStringLiteral("shifted-by-…"), -28)
+    printLine(u"    %1  %2 more: the whole picture is shifted by some pixels."_s
+                  .arg(u"shifted-by-…"_s, -28)
                   .arg(shifts));
 }
 
@@ -229,9 +219,9 @@ QJsonArray defectsJson(const Method &method)
 {
     QJsonArray array;
     for (const Defect &defect : defectsOf(method))
-        array.append(QJsonObject{{QStringLiteral("id"), defect.id},
-                                 {QStringLiteral("student"), defect.forStudent},
-                                 {QStringLiteral("assistant"), defect.forAssistant}});
+        array.append(QJsonObject{{u"id"_s, defect.id},
+                                 {u"student"_s, defect.forStudent},
+                                 {u"assistant"_s, defect.forAssistant}});
     return array;
 }
 
@@ -247,31 +237,29 @@ QStringList kindsOf(const Method &method)
 
 QJsonObject methodJson(const Method &method)
 {
-    return {
-        {QStringLiteral("id"), method.id},
-        {QStringLiteral("family"), titleOf(method.family)},
-        {QStringLiteral("draws"), QJsonArray::fromStringList(kindsOf(method))},
-        {QStringLiteral("stable"), QJsonArray::fromStringList(namesOf(method.stableArithmetics))},
-        {QStringLiteral("title"), method.title},
-        {QStringLiteral("summary"), method.summary},
-        {QStringLiteral("source"), method.source},
-        {QStringLiteral("arithmetics"), QJsonArray::fromStringList(namesOf(method.arithmetics))},
-        {QStringLiteral("fillRules"), QJsonArray::fromStringList(namesOf(method.fillRules))},
-        {QStringLiteral("effects"), QJsonArray::fromStringList(namesOf(method.effects))},
-        {QStringLiteral("variants"), QJsonArray::fromStringList(namesOf(method.variants))},
-        {QStringLiteral("remarks"), QJsonArray::fromStringList(method.remarks)}};
+    return {{u"id"_s, method.id},
+            {u"family"_s, titleOf(method.family)},
+            {u"draws"_s, QJsonArray::fromStringList(kindsOf(method))},
+            {u"stable"_s, QJsonArray::fromStringList(namesOf(method.stableArithmetics))},
+            {u"title"_s, method.title},
+            {u"summary"_s, method.summary},
+            {u"source"_s, method.source},
+            {u"arithmetics"_s, QJsonArray::fromStringList(namesOf(method.arithmetics))},
+            {u"fillRules"_s, QJsonArray::fromStringList(namesOf(method.fillRules))},
+            {u"effects"_s, QJsonArray::fromStringList(namesOf(method.effects))},
+            {u"variants"_s, QJsonArray::fromStringList(namesOf(method.variants))},
+            {u"remarks"_s, QJsonArray::fromStringList(method.remarks)}};
 }
 
 void printWholeMethod(const Method &method)
 {
     printDescription(method);
-    printPseudocode(QStringLiteral("what it does"),
-                    underRules(method.pseudocode, method.fillRules));
-    printPseudocode(QStringLiteral("with effects beyond colour"),
+    printPseudocode(u"what it does"_s, underRules(method.pseudocode, method.fillRules));
+    printPseudocode(u"with effects beyond colour"_s,
                     underRules(method.shadedPseudocode, method.fillRules));
-    printNumbers(QStringLiteral("the set-up"), method.numbers.setUp);
-    printNumbers(QStringLiteral("a span"), method.numbers.span);
-    printNumbers(QStringLiteral("a sample"), method.numbers.sample);
+    printNumbers(u"the set-up"_s, method.numbers.setUp);
+    printNumbers(u"a span"_s, method.numbers.span);
+    printNumbers(u"a sample"_s, method.numbers.sample);
     printOperations(method);
     printDefects(method);
 }
@@ -279,16 +267,15 @@ void printWholeMethod(const Method &method)
 QJsonObject wholeMethodJson(const Method &method)
 {
     QJsonObject object = methodJson(method);
-    object.insert(QStringLiteral("fillRuleReason"), method.fillRuleReason);
-    object.insert(QStringLiteral("pseudocode"),
-                  jsonOf(underRules(method.pseudocode, method.fillRules)));
-    object.insert(QStringLiteral("shadedPseudocode"),
+    object.insert(u"fillRuleReason"_s, method.fillRuleReason);
+    object.insert(u"pseudocode"_s, jsonOf(underRules(method.pseudocode, method.fillRules)));
+    object.insert(u"shadedPseudocode"_s,
                   jsonOf(underRules(method.shadedPseudocode, method.fillRules)));
-    object.insert(QStringLiteral("setUpNumbers"), jsonOf(method.numbers.setUp));
-    object.insert(QStringLiteral("spanNumbers"), jsonOf(method.numbers.span));
-    object.insert(QStringLiteral("sampleNumbers"), jsonOf(method.numbers.sample));
-    object.insert(QStringLiteral("operations"), operationsJson(method));
-    object.insert(QStringLiteral("defects"), defectsJson(method));
+    object.insert(u"setUpNumbers"_s, jsonOf(method.numbers.setUp));
+    object.insert(u"spanNumbers"_s, jsonOf(method.numbers.span));
+    object.insert(u"sampleNumbers"_s, jsonOf(method.numbers.sample));
+    object.insert(u"operations"_s, operationsJson(method));
+    object.insert(u"defects"_s, defectsJson(method));
     return object;
 }
 

@@ -14,9 +14,7 @@ void printMethods()
 {
     std::vector<QStringList> rows;
     for (const Method &method : methods())
-        rows.push_back({method.id,
-                        QStringLiteral("%1 (%2)").arg(method.title,
-                                                      kindsOf(method).join(QStringLiteral(", ")))});
+        rows.push_back({method.id, u"%1 (%2)"_s.arg(method.title, kindsOf(method).join(u", "_s))});
     printLines(alignedRows(rows, [](qsizetype) { return true; }));
 }
 
@@ -26,16 +24,15 @@ ExitCode listMethods(const Command &command, const QStringList &arguments)
 {
     CommandLine line(
         command,
-        {{QStringLiteral("NAME"),
-          QStringLiteral("the method to describe: source, rules, effects, numbers, operations, "
-                         "known defects"),
+        {{u"NAME"_s,
+          u"the method to describe: source, rules, effects, numbers, operations, known defects"_s,
           Positional::Presence::Optional}});
     line.addJsonOption();
     line.parse(arguments);
     if (const QString name = line.argument(0); !name.isEmpty()) {
         const Method *method = methodNamed(name);
         if (!method)
-            refuseUnknown(QStringLiteral("NAME"), QStringLiteral("method"), name, methodIds());
+            refuseUnknown(u"NAME"_s, u"method"_s, name, methodIds());
         line.asksForJson() ? printJson(wholeMethodJson(*method)) : printWholeMethod(*method);
     } else if (line.asksForJson()) {
         QJsonArray list;

@@ -24,7 +24,7 @@ namespace pixelplumb::cli {
 struct WholeRange {
     std::int64_t first = 0;
     std::int64_t last = std::numeric_limits<std::int64_t>::max();
-    QString outside = QStringLiteral("out of range"); ///< "5 is out of range"
+    QString outside = u"out of range"_s; ///< "5 is out of range"
 };
 
 /// Reads the word as a whole number in the range; a refusal names the place ("--limit", "X"), the
@@ -40,14 +40,14 @@ std::optional<std::int64_t> wholeNumberOf(const CommandLine &line, const QString
 template <class Choice, std::size_t Count>
 Choice chosen(const CommandLine &line, const QString &option,
               const std::array<Choice, Count> &choices, Choice unset,
-              const QString &what = QStringLiteral("name"))
+              const QString &what = u"name"_s)
 {
     if (!line.isSet(option))
         return unset;
     const QStringList names = namesOf(choices);
     const qsizetype index = names.indexOf(line.value(option));
     if (index < 0)
-        refuseUnknown(QStringLiteral("--") + option, what, line.value(option), names);
+        refuseUnknown(u"--"_s + option, what, line.value(option), names);
     return choices[std::size_t(index)];
 }
 
