@@ -7,8 +7,6 @@
 
 #include <QJsonArray>
 
-#include <algorithm>
-
 namespace pixelplumb::cli {
 
 namespace {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/cli/commandline.h"
 #include "app/cli/commands.h"
 #include "app/cli/files.h"
-#include "app/cli/options.h"
 #include "core/grade/diagnose/diagnosis.h"
 #include "core/grade/diagnose/undecidable.h"
 #include "core/grade/pictures/drawntwice.h"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/cli/commandline.h"
 #include "app/cli/console.h"
-#include "app/cli/options.h"
 #include "core/compare/contest.h"
 #include "core/scan/choicenames.h"
 #include "core/scene/scenefile.h"

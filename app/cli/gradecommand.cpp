@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/cli/commandline.h"
 #include "app/cli/commands.h"
 #include "app/cli/console.h"
 #include "app/cli/files.h"
-#include "app/cli/options.h"
 #include "core/fast/machinethreads.h"
 #include "core/grade/class/gradefile.h"
 #include "core/grade/class/gradefolder.h"

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/cli/commandline.h"
 #include "app/cli/commands.h"
 #include "app/cli/console.h"
 #include "app/cli/files.h"
-#include "app/cli/options.h"
 #include "core/grade/showntext.h"
 #include "core/lab/study/budget.h"
 #include "core/lab/study/labfile.h"
@@ -22,22 +22,15 @@ const QString familyOption = u"family"_s;
 const QString contenderOption = u"contender"_s;
 const QString accuracyOnlyOption = u"accuracy-only"_s;
 const QString budgetOption = u"budget"_s;
-const QString studyFormatOption = u"format"_s;
 const QString studyOption = u"output"_s;
 const QString ownSceneFamily = u"own-scene"_s;
 
-enum class LabFormat { Text, Csv, Json };
-
-LabFormat chosenFormat(const CommandLine &line)
+TableFormat chosenFormat(const CommandLine &line)
 {
-    const QString word = line.value(studyFormatOption);
-    const QStringList names = {u"text"_s, u"csv"_s, u"json"_s};
-    const qsizetype index = names.indexOf(word);
-    if (index < 0)
-        refuseUnknown(u"--format"_s, u"format"_s, word, names);
-    if (line.isSet(accuracyOnlyOption) && LabFormat(index) == LabFormat::Text)
+    const TableFormat format = chosenTableFormat(line, TableFormat::Text);
+    if (line.isSet(accuracyOnlyOption) && format == TableFormat::Text)
         refuse({u"--accuracy-only"_s, u"text tells of this machine"_s, u"--format json or csv"_s});
-    return LabFormat(index);
+    return format;
 }
 
 QStringList chosenFamilies(const CommandLine &line)
@@ -118,19 +111,19 @@ QString familyOfBudget(const Study &study)
     return study.families.empty() ? QString() : study.families.front().id;
 }
 
-QByteArray accuracyBytesOf(const Study &study, LabFormat format)
+QByteArray accuracyBytesOf(const Study &study, TableFormat format)
 {
-    return format == LabFormat::Csv ? accuracyCsvOf(study) : writeAccuracy(study);
+    return format == TableFormat::Csv ? accuracyCsvOf(study) : writeAccuracy(study);
 }
 
-QByteArray bytesOf(const Study &study, LabFormat format)
+QByteArray bytesOf(const Study &study, TableFormat format)
 {
     switch (format) {
-    case LabFormat::Text:
+    case TableFormat::Text:
         return shownLines(studyLines(study));
-    case LabFormat::Csv:
+    case TableFormat::Csv:
         return csvOf(study);
-    case LabFormat::Json:
+    case TableFormat::Json:
         return escapedJson(writeStudy(study));
     }
     return {};
@@ -153,7 +146,7 @@ void addStudyOptions(CommandLine &line)
          "10-ppm, 16-ms."_s,
          u"budget"_s});
     line.addOption(
-        {studyFormatOption, u"text, csv or json; text if left out."_s, u"format"_s, u"text"_s});
+        {u"format"_s, u"text, csv or json; text if left out."_s, u"format"_s, u"text"_s});
     line.addOption(
         {{u"o"_s, studyOption}, u"Write to a file; - is standard output."_s, u"file"_s, u"-"_s});
 }
@@ -181,7 +174,7 @@ ExitCode lab(const Command &command, const QStringList &arguments)
     CommandLine line(command, {scene});
     addStudyOptions(line);
     line.parse(arguments);
-    const LabFormat format = chosenFormat(line);
+    const TableFormat format = chosenFormat(line);
     const auto budget = chosenBudget(line);
     const StudySettings settings = settingsFrom(line);
     Output output(line.value(studyOption));

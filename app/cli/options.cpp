@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/cli/options.h"
-
+#include "app/cli/commandline.h"
 #include "app/cli/console.h"
 #include "core/grade/class/assignment.h"
 #include "core/grade/try/sandbox.h"
@@ -32,6 +31,24 @@ std::optional<std::int64_t> wholeNumberOf(const CommandLine &line, const QString
     if (word.isEmpty() && !line.isSet(option))
         return std::nullopt;
     return wholeNumber(u"--"_s + option, word, range);
+}
+
+std::optional<std::size_t> chosenName(const CommandLine &line, const QString &option,
+                                      const QStringList &names, const QString &what)
+{
+    if (!line.isSet(option))
+        return std::nullopt;
+    const qsizetype index = names.indexOf(line.value(option));
+    if (index < 0)
+        refuseUnknown(u"--"_s + option, what, line.value(option), names);
+    return std::size_t(index);
+}
+
+TableFormat chosenTableFormat(const CommandLine &line, TableFormat unset)
+{
+    const QString option = u"format"_s;
+    const auto index = chosenName(line, option, {u"text"_s, u"csv"_s, u"json"_s}, option);
+    return index ? TableFormat(*index) : unset;
 }
 
 namespace {
@@ -153,17 +170,6 @@ const QString inputOption = u"input"_s;
 const QString timeOption = u"time"_s;
 const QString memoryOption = u"memory"_s;
 
-ProgramInput chosenInput(const CommandLine &line)
-{
-    QStringList names;
-    for (const ProgramInput input : allProgramInputs) {
-        names += nameOf(input);
-        if (line.value(inputOption) == names.back())
-            return input;
-    }
-    refuseUnknown(u"--"_s + inputOption, u"name"_s, line.value(inputOption), names);
-}
-
 /// The memory limit; 0: none.
 std::int64_t chosenMegabytes(const CommandLine &line)
 {
@@ -207,7 +213,8 @@ void refuseProgramOptions(const CommandLine &line)
 TrialTerms chosenTerms(const CommandLine &line)
 {
     TrialTerms terms;
-    terms.input = chosenInput(line);
+    const QStringList inputs = {nameOf(ProgramInput::Json), nameOf(ProgramInput::Lines)};
+    terms.input = ProgramInput(chosenName(line, inputOption, inputs, u"name"_s).value_or(0));
     terms.limits.time = std::chrono::seconds(*wholeNumberOf(line, timeOption, {1, 3600}));
     terms.limits.memory = chosenMegabytes(line) << 20;
     return terms;

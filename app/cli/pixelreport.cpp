@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/cli/commandline.h"
 #include "app/cli/commands.h"
-#include "app/cli/options.h"
 #include "core/export/numbertext.h"
 #include "core/runs/explain/edgerefusal.h"
 #include "core/runs/explain/pixelhistory.h"

@@ -3,7 +3,6 @@
 #include "app/cli/commands.h"
 #include "app/cli/console.h"
 #include "app/cli/files.h"
-#include "app/cli/options.h"
 #include "core/export/traceexport.h"
 #include "core/space/vertexlight.h"
 
@@ -75,32 +74,6 @@ RowChoice chosenRows(const CommandLine &line, const TracedScene &traced, TraceLe
     return rows;
 }
 
-template <class Choice, std::size_t count>
-using ChoiceNames = std::array<std::pair<const char *, Choice>, count>;
-
-constexpr ChoiceNames<TraceLevel, 4> levelNames = {{{"setup", TraceLevel::SetUp},
-                                                    {"column", TraceLevel::Column},
-                                                    {"pixel", TraceLevel::Pixel},
-                                                    {"stage", TraceLevel::Stage}}};
-constexpr ChoiceNames<TableFormat, 3> formatNames
-    = {{{"text", TableFormat::Text}, {"csv", TableFormat::Csv}, {"json", TableFormat::Json}}};
-
-template <class Choice, std::size_t count>
-Choice chosen(const CommandLine &line, const QString &option, Choice unset,
-              const ChoiceNames<Choice, count> &choices)
-{
-    if (!line.isSet(option))
-        return unset;
-    const QString word = line.value(option);
-    QStringList names;
-    for (const auto &choice : choices) {
-        names.append(QString::fromLatin1(choice.first));
-        if (names.back() == word)
-            return choice.second;
-    }
-    refuseUnknownAmongMany(u"--"_s + option, u"name"_s, word, names, names.join(u", "_s));
-}
-
 /// Text for a person at a terminal, CSV for a pipe or a file.
 TableFormat formatFor(const QString &output)
 {
@@ -134,15 +107,9 @@ QStringList chosenColumns(const CommandLine &line, const TraceNumbers &numbers, 
 
 QString suffixOf(TableFormat format)
 {
-    switch (format) {
-    case TableFormat::Text:
-        return u"txt"_s;
-    case TableFormat::Csv:
-        return u"csv"_s;
-    case TableFormat::Json:
-        break;
-    }
-    return u"json"_s;
+    return format == TableFormat::Text ? u"txt"_s
+        : format == TableFormat::Csv   ? u"csv"_s
+                                       : u"json"_s;
 }
 
 /// What is written about each scene.
@@ -199,7 +166,6 @@ ExitCode traceTo(const CommandLine &line, const TraceRequest &request, const Nam
 ExitCode trace(const Command &command, const QStringList &arguments)
 {
     const QString levelOption = u"level"_s;
-    const QString formatOption = u"format"_s;
     const QString outputOption = u"output"_s;
     CommandLine line(command, {scenesPositional()});
     line.addOption(
@@ -207,7 +173,7 @@ ExitCode trace(const Command &command, const QStringList &arguments)
          u"A row a primitive, a column of the scan, a pixel, or a number on a solid's way from "
          "space to the frame: setup, column, pixel, stage; column if left out."_s,
          u"level"_s});
-    line.addOption({formatOption,
+    line.addOption({u"format"_s,
                     u"text (aligned), csv or json; if left out, text on a terminal, else csv."_s,
                     u"format"_s});
     line.addOption(
@@ -224,9 +190,10 @@ ExitCode trace(const Command &command, const QStringList &arguments)
     addRowOptions(line);
     addSettingOptions(line);
     line.parse(arguments);
-    const TraceLevel level = chosen(line, levelOption, TraceLevel::Column, levelNames);
-    const TableFormat format
-        = chosen(line, formatOption, formatFor(line.value(outputOption)), formatNames);
+    const QStringList levels = {u"setup"_s, u"column"_s, u"pixel"_s, u"stage"_s};
+    const auto level = TraceLevel(chosenName(line, levelOption, levels, levelOption)
+                                      .value_or(std::size_t(TraceLevel::Column)));
+    const TableFormat format = chosenTableFormat(line, formatFor(line.value(outputOption)));
     const auto outputs = outputPaths(line.value(outputOption), line.arguments(), suffixOf(format));
     const TraceRequest request{level, format};
     ExitCode code = ExitCode::Done;

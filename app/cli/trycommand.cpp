@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/cli/commandline.h"
 #include "app/cli/commands.h"
 #include "app/cli/console.h"
-#include "app/cli/options.h"
 #include "core/grade/diagnose/undecidable.h"
 #include "core/grade/hunt/trial.h"
 #include "core/grade/showntext.h"
