@@ -3,8 +3,7 @@
 #include "widgets/look/signs.h"
 #include "widgets/space/sideview.h"
 
-#include <QPainter>
-#include <QPainterPath>
+#include <QtWidgets>
 
 #include <algorithm>
 #include <array>

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/stepping/scrubber.h"
 
-#include <QPainter>
-#include <QStyleOptionFocusRect>
+#include <QtWidgets>
 
 namespace pixelplumb {
 

@@ -3,8 +3,7 @@
 
 #include "widgets/inspect/formulapanel.h"
 
-#include <QDockWidget>
-#include <QMainWindow>
+#include <QtWidgets>
 
 #include <algorithm>
 #include <utility>

@@ -10,13 +10,8 @@
 #include "widgets/model/scenedocument.h"
 #include "widgets/stepping/scrubber.h"
 
-#include <QLabel>
-#include <QMouseEvent>
-#include <QRegularExpression>
-#include <QStatusBar>
-#include <QTableView>
 #include <QTest>
-#include <QTextBrowser>
+#include <QtWidgets>
 
 namespace tst_drawninwindow {
 

@@ -10,15 +10,8 @@
 #include "widgets/lab/labfiles.h"
 #include "widgets/model/scenedocument.h"
 
-#include <QAbstractButton>
-#include <QApplication>
-#include <QClipboard>
-#include <QDialog>
-#include <QDir>
-#include <QMap>
-#include <QTemporaryDir>
 #include <QTest>
-#include <QTimer>
+#include <QtWidgets>
 
 #include <functional>
 

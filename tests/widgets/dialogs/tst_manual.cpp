@@ -6,9 +6,8 @@
 #include "widgets/dialogs/manual.h"
 #include "widgets/window/panels.h"
 
-#include <QListWidget>
 #include <QTest>
-#include <QTextBrowser>
+#include <QtWidgets>
 
 namespace tst_manual {
 

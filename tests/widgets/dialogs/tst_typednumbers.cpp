@@ -6,11 +6,8 @@
 #include "widgets/model/primitivelistmodel.h"
 #include "widgets/model/scenedocument.h"
 
-#include <QLabel>
-#include <QLineEdit>
-#include <QSignalSpy>
-#include <QTest>
-#include <QTreeView>
+#include <QtTest>
+#include <QtWidgets>
 
 namespace tst_typednumbers {
 

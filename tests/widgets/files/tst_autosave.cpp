@@ -8,13 +8,8 @@
 #include "widgets/files/scenefiles.h"
 #include "widgets/model/scenedocument.h"
 
-#include <QAbstractButton>
-#include <QDir>
-#include <QLabel>
-#include <QMessageBox>
-#include <QSignalSpy>
-#include <QTest>
-#include <QThreadPool>
+#include <QtTest>
+#include <QtWidgets>
 
 namespace tst_autosave {
 

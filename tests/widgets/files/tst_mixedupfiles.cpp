@@ -8,11 +8,8 @@
 #include "widgets/files/scenefiles.h"
 #include "widgets/studies/grade/gradedialog.h"
 
-#include <QLineEdit>
-#include <QMessageBox>
-#include <QPushButton>
 #include <QTest>
-#include <QTimer>
+#include <QtWidgets>
 
 namespace tst_mixedupfiles {
 

@@ -12,17 +12,8 @@
 #include "widgets/model/playhead.h"
 #include "widgets/model/scenedocument.h"
 
-#include <QAbstractButton>
-#include <QBuffer>
-#include <QDialogButtonBox>
-#include <QFileDialog>
-#include <QMenu>
-#include <QPushButton>
-#include <QSignalSpy>
-#include <QTemporaryDir>
-#include <QTest>
-#include <QThreadPool>
-#include <QTimer>
+#include <QtTest>
+#include <QtWidgets>
 
 #include <unistd.h>
 

@@ -15,13 +15,8 @@
 #include "widgets/model/scenedocument.h"
 #include "widgets/window/examplesdialog.h"
 
-#include <QFileDialog>
-#include <QListWidget>
-#include <QScopeGuard>
-#include <QTemporaryDir>
 #include <QTest>
-#include <QTimer>
-#include <QTreeWidget>
+#include <QtWidgets>
 
 namespace tst_windowfiles {
 

@@ -11,13 +11,8 @@
 #include "widgets/model/playhead.h"
 #include "widgets/model/scenedocument.h"
 
-#include <QComboBox>
-#include <QLabel>
-#include <QLineEdit>
-#include <QPushButton>
-#include <QSignalSpy>
-#include <QTest>
-#include <QTextBrowser>
+#include <QtTest>
+#include <QtWidgets>
 
 namespace tst_predict {
 

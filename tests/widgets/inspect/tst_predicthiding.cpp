@@ -20,14 +20,8 @@
 #include "widgets/model/studentpicture.h"
 #include "widgets/stepping/scrubber.h"
 
-#include <QClipboard>
-#include <QDockWidget>
-#include <QHelpEvent>
-#include <QLabel>
 #include <QTest>
-#include <QTextDocument>
-#include <QToolTip>
-#include <QTreeView>
+#include <QtWidgets>
 
 namespace tst_predicthiding {
 

@@ -9,13 +9,8 @@
 #include "widgets/model/playhead.h"
 #include "widgets/model/scenedocument.h"
 
-#include <QComboBox>
-#include <QDockWidget>
-#include <QLabel>
-#include <QLineEdit>
-#include <QPushButton>
 #include <QTest>
-#include <QTextDocument>
+#include <QtWidgets>
 
 namespace tst_predictkeys {
 

@@ -13,19 +13,8 @@
 #include "widgets/model/primitivelistmodel.h"
 #include "widgets/model/scenedocument.h"
 
-#include <QAbstractButton>
-#include <QAbstractItemModelTester>
-#include <QApplication>
-#include <QColorDialog>
-#include <QContextMenuEvent>
-#include <QDockWidget>
-#include <QLabel>
-#include <QLineEdit>
-#include <QMenu>
-#include <QRandomGenerator>
-#include <QTest>
-#include <QTimer>
-#include <QTreeView>
+#include <QtTest>
+#include <QtWidgets>
 
 #include <algorithm>
 

@@ -10,18 +10,8 @@
 #include "widgets/look/colourbutton.h"
 #include "widgets/model/primitivelistmodel.h"
 
-#include <QApplication>
-#include <QColorDialog>
-#include <QDir>
-#include <QLineEdit>
-#include <QMenu>
-#include <QPaintEvent>
-#include <QSignalSpy>
-#include <QTest>
-#include <QTimer>
-#include <QToolButton>
-#include <QTreeView>
-#include <QUndoStack>
+#include <QtTest>
+#include <QtWidgets>
 
 #include <algorithm>
 

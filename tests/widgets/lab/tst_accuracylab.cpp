@@ -11,13 +11,8 @@
 #include "widgets/lab/labtable.h"
 #include "widgets/lab/paretoplot.h"
 
-#include <QComboBox>
-#include <QLabel>
-#include <QProgressBar>
-#include <QPushButton>
-#include <QSignalSpy>
-#include <QTabWidget>
-#include <QTest>
+#include <QtTest>
+#include <QtWidgets>
 
 namespace tst_accuracylab {
 

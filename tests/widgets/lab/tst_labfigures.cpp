@@ -7,9 +7,8 @@
 #include "widgets/lab/missplot.h"
 #include "widgets/lab/paretoplot.h"
 
-#include <QApplication>
-#include <QFontMetricsF>
 #include <QTest>
+#include <QtWidgets>
 
 namespace tst_labfigures {
 

@@ -15,9 +15,8 @@
 #include "widgets/studies/compare/comparepanel.h"
 #include "widgets/studies/compare/compareview.h"
 
-#include <QLabel>
-#include <QTemporaryDir>
 #include <QTest>
+#include <QtWidgets>
 
 #include <random>
 

@@ -9,10 +9,8 @@
 #include "widgets/lab/missplot.h"
 #include "widgets/lab/paretoplot.h"
 
-#include <QAbstractItemModelTester>
 #include <QHeaderView>
-#include <QSignalSpy>
-#include <QTest>
+#include <QtTest>
 
 #include <cmath>
 

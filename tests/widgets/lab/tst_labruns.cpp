@@ -7,12 +7,8 @@
 #include "widgets/model/playhead.h"
 #include "widgets/model/scenedocument.h"
 
-#include <QComboBox>
-#include <QLabel>
-#include <QProgressBar>
-#include <QPushButton>
-#include <QSignalSpy>
-#include <QTest>
+#include <QtTest>
+#include <QtWidgets>
 
 namespace tst_labruns {
 

@@ -10,11 +10,8 @@
 #include "widgets/look/labels.h"
 #include "widgets/look/numberformat.h"
 
-#include <QInputDialog>
-#include <QLineEdit>
-#include <QSignalSpy>
-#include <QTemporaryDir>
-#include <QTest>
+#include <QtTest>
+#include <QtWidgets>
 
 namespace tst_decimalpoint {
 

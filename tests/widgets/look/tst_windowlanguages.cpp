@@ -9,18 +9,8 @@
 #include "widgets/look/corewords.h"
 #include "widgets/look/labels.h"
 
-#include <QApplication>
-#include <QDockWidget>
-#include <QLabel>
-#include <QMenu>
-#include <QMenuBar>
-#include <QPushButton>
-#include <QRegularExpression>
-#include <QTabBar>
 #include <QTest>
-#include <QTimer>
-#include <QToolBar>
-#include <QToolButton>
+#include <QtWidgets>
 
 #include <algorithm>
 #include <optional>

@@ -6,10 +6,8 @@
 #include "tests/support/tracedplayhead.h"
 #include "widgets/look/numberformat.h"
 
-#include <QAbstractItemModelTester>
 #include <QElapsedTimer>
-#include <QSignalSpy>
-#include <QTest>
+#include <QtTest>
 
 namespace tst_columntablemodel {
 

@@ -10,8 +10,7 @@
 #include "widgets/model/scenedocument.h"
 #include "widgets/model/scenetracer.h"
 
-#include <QSignalSpy>
-#include <QTest>
+#include <QtTest>
 
 namespace tst_windowtracing {
 

@@ -11,13 +11,8 @@
 #include "widgets/space/stagetree.h"
 #include "widgets/space/surfacespanel.h"
 
-#include <QDockWidget>
-#include <QLabel>
-#include <QSignalSpy>
-#include <QSlider>
-#include <QTabWidget>
-#include <QTest>
-#include <QTextBrowser>
+#include <QtTest>
+#include <QtWidgets>
 
 namespace tst_projectiondock {
 

@@ -6,9 +6,8 @@
 #include "widgets/model/scenedocument.h"
 #include "widgets/space/segmentsliders.h"
 
-#include <QLabel>
-#include <QSlider>
 #include <QTest>
+#include <QtWidgets>
 
 #include <algorithm>
 

@@ -8,8 +8,7 @@
 #include "widgets/stepping/scrubber.h"
 
 #include <QAccessible>
-#include <QSignalSpy>
-#include <QTest>
+#include <QtTest>
 
 namespace tst_scrubber {
 

@@ -11,12 +11,8 @@
 #include "widgets/studies/compare/compareview.h"
 #include "widgets/window/windowdocks.h"
 
-#include <QComboBox>
-#include <QDockWidget>
-#include <QLabel>
 #include <QTest>
-#include <QToolButton>
-#include <QWheelEvent>
+#include <QtWidgets>
 
 namespace tst_comparepanel {
 

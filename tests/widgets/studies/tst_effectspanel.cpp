@@ -11,13 +11,8 @@
 #include "widgets/studies/cost/effectspanel.h"
 #include "widgets/studies/cost/effectstext.h"
 
-#include <QComboBox>
-#include <QLabel>
-#include <QPushButton>
-#include <QSignalSpy>
-#include <QTableView>
-#include <QTest>
-#include <QUndoStack>
+#include <QtTest>
+#include <QtWidgets>
 
 namespace tst_effectspanel {
 

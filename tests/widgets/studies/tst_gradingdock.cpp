@@ -15,22 +15,8 @@
 #include "widgets/studies/grade/gradetable.h"
 #include "widgets/studies/grade/gradingpanel.h"
 
-#include <QAbstractItemModelTester>
-#include <QAbstractItemView>
-#include <QApplication>
-#include <QComboBox>
-#include <QDockWidget>
-#include <QFile>
-#include <QLabel>
-#include <QLineEdit>
-#include <QPlainTextEdit>
-#include <QProgressBar>
-#include <QScrollBar>
-#include <QTableView>
-#include <QTemporaryDir>
-#include <QTest>
-#include <QTimer>
-#include <QToolButton>
+#include <QtTest>
+#include <QtWidgets>
 
 #include <array>
 

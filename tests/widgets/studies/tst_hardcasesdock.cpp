@@ -13,9 +13,8 @@
 #include "widgets/studies/cases/hardcasespanel.h"
 #include "widgets/studies/compare/comparepanel.h"
 
-#include <QLabel>
-#include <QPushButton>
 #include <QTest>
+#include <QtWidgets>
 
 namespace tst_hardcasesdock {
 

@@ -14,17 +14,8 @@
 #include "widgets/studies/accuracy/motionpanel.h"
 #include "widgets/studies/accuracy/motionview.h"
 
-#include <QFile>
-#include <QJsonDocument>
-#include <QJsonObject>
-#include <QLabel>
-#include <QLineEdit>
-#include <QPushButton>
-#include <QScrollBar>
-#include <QSlider>
-#include <QTableView>
 #include <QTest>
-#include <QToolButton>
+#include <QtWidgets>
 
 namespace tst_motion {
 

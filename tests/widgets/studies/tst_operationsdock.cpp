@@ -6,10 +6,8 @@
 #include "widgets/model/playhead.h"
 #include "widgets/studies/cost/operationpanel.h"
 
-#include <QLabel>
-#include <QSignalSpy>
-#include <QTableView>
-#include <QTest>
+#include <QtTest>
+#include <QtWidgets>
 
 namespace tst_operationsdock {
 

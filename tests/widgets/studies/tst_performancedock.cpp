@@ -7,10 +7,8 @@
 #include "widgets/model/playhead.h"
 #include "widgets/studies/cost/performancepanel.h"
 
-#include <QLabel>
-#include <QPushButton>
-#include <QSignalSpy>
-#include <QTest>
+#include <QtTest>
+#include <QtWidgets>
 
 namespace tst_performancedock {
 

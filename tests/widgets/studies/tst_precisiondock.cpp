@@ -8,9 +8,8 @@
 #include "widgets/studies/accuracy/precisionpanel.h"
 #include "widgets/studies/accuracy/precisionplot.h"
 
-#include <QLabel>
 #include <QTest>
-#include <QToolButton>
+#include <QtWidgets>
 
 #include <cmath>
 #include <set>

@@ -16,17 +16,8 @@
 #include "widgets/studies/compare/comparepanel.h"
 #include "widgets/studies/grade/diagnosisview.h"
 
-#include <QApplication>
-#include <QClipboard>
-#include <QComboBox>
-#include <QDockWidget>
-#include <QLabel>
-#include <QListWidget>
-#include <QPushButton>
-#include <QScrollArea>
-#include <QTemporaryDir>
 #include <QTest>
-#include <QToolButton>
+#include <QtWidgets>
 
 namespace tst_studentpicture {
 

@@ -5,11 +5,8 @@
 #include "widgets/canvas/canvas.h"
 #include "widgets/look/messagebar.h"
 
-#include <QAction>
-#include <QHeaderView>
-#include <QScrollBar>
-#include <QTableView>
 #include <QTest>
+#include <QtWidgets>
 
 #include <memory>
 

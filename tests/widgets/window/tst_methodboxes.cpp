@@ -9,13 +9,8 @@
 #include "widgets/model/runnotes.h"
 #include "widgets/model/scenedocument.h"
 
-#include <QAbstractItemView>
-#include <QAction>
-#include <QComboBox>
-#include <QDockWidget>
-#include <QLabel>
-#include <QMenu>
 #include <QTest>
+#include <QtWidgets>
 
 namespace tst_methodboxes {
 

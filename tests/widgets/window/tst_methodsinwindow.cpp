@@ -14,12 +14,8 @@
 #include "widgets/model/playhead.h"
 #include "widgets/model/scenedocument.h"
 
-#include <QAction>
-#include <QApplication>
-#include <QComboBox>
-#include <QDockWidget>
-#include <QLabel>
 #include <QTest>
+#include <QtWidgets>
 
 namespace tst_methodsinwindow {
 

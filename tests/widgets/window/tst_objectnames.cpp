@@ -12,13 +12,8 @@
 #include "widgets/window/mainwindow.h"
 #include "widgets/window/panels.h"
 
-#include <QAbstractItemView>
-#include <QAccessible>
-#include <QComboBox>
-#include <QDockWidget>
-#include <QMenu>
-#include <QMenuBar>
 #include <QTest>
+#include <QtWidgets>
 
 namespace tst_objectnames {
 

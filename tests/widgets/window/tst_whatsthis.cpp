@@ -7,16 +7,8 @@
 #include "widgets/model/scenedocument.h"
 #include "widgets/window/panels.h"
 
-#include <QAbstractButton>
-#include <QAbstractSlider>
-#include <QAbstractSpinBox>
-#include <QApplication>
-#include <QComboBox>
-#include <QDockWidget>
-#include <QMenuBar>
 #include <QTest>
-#include <QToolBar>
-#include <QWhatsThis>
+#include <QtWidgets>
 
 #include <algorithm>
 

@@ -10,19 +10,8 @@
 #include "widgets/model/playhead.h"
 #include "widgets/model/scenedocument.h"
 
-#include <QAbstractItemView>
-#include <QAbstractTextDocumentLayout>
-#include <QApplication>
-#include <QClipboard>
-#include <QComboBox>
-#include <QDockWidget>
-#include <QLabel>
-#include <QMenu>
-#include <QScrollBar>
 #include <QTest>
-#include <QTextBlock>
-#include <QTextBrowser>
-#include <QWindow>
+#include <QtWidgets>
 
 namespace tst_windowhabits {
 

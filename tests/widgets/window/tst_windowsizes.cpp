@@ -14,23 +14,8 @@
 #include "widgets/studies/compare/comparepanel.h"
 #include "widgets/studies/compare/compareview.h"
 
-#include <QApplication>
-#include <QComboBox>
-#include <QDockWidget>
-#include <QLabel>
-#include <QMenu>
-#include <QMenuBar>
-#include <QPushButton>
-#include <QScreen>
-#include <QScrollBar>
-#include <QStatusBar>
-#include <QTableView>
 #include <QTest>
-#include <QTextBrowser>
-#include <QTimer>
-#include <QToolBar>
-#include <QToolButton>
-#include <QTreeView>
+#include <QtWidgets>
 
 namespace tst_windowsizes {
 

@@ -9,14 +9,8 @@
 #include "widgets/model/scenedocument.h"
 #include "widgets/window/panels.h"
 
-#include <QApplication>
-#include <QClipboard>
-#include <QDockWidget>
-#include <QMenuBar>
-#include <QSettings>
 #include <QTest>
-#include <QToolBar>
-#include <QToolButton>
+#include <QtWidgets>
 
 namespace tst_workspaces {
 

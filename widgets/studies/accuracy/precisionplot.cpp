@@ -4,8 +4,7 @@
 #include "widgets/look/parts.h"
 #include "widgets/look/signs.h"
 
-#include <QBoxLayout>
-#include <QEvent>
+#include <QtWidgets>
 #include <qcustomplot.h>
 
 #include <cmath>
