@@ -218,7 +218,7 @@ private slots:
             QVERIFY2(keepsHalf(), workspace);
             for (QAction *entry : entriesOf(*window->menuBar())) {
                 if (!entry->isEnabled() || entry->text().endsWith(u'…')
-                    || entry->objectName() == QStringLiteral("quit"))
+                    || entry->objectName() == u"quit"_s)
                     continue;
                 entry->trigger();
                 QVERIFY2(keepsHalf(), qPrintable(workspace + u' ' + entry->text()));
@@ -283,7 +283,7 @@ private slots:
             QVERIFY(window->parts().canvas->isVisible());
         }
         action(*window, "resetLayout")->trigger();
-        QVERIFY(isAsLarge(QStringLiteral("the layout is reset")));
+        QVERIFY(isAsLarge(u"the layout is reset"_s));
         for (const char *name : {"zoomIn", "zoomIn", "zoomOut", "zoomToOne", "zoomToFit"}) {
             action(*window, name)->trigger();
             QVERIFY(isAsLarge(QLatin1String(name)));
@@ -322,7 +322,7 @@ private slots:
             QCOMPARE(box->shownText(), box->currentText());
         }
         for (const QLabel *label : compare->findChildren<QLabel *>()) {
-            if (label->objectName() == QStringLiteral("predictVeil"))
+            if (label->objectName() == u"predictVeil"_s)
                 continue;
             QVERIFY2(isInSight(label), qPrintable(label->text()));
             QVERIFY2(label->height() >= label->heightForWidth(label->width()),

@@ -110,7 +110,7 @@ private slots:
         QCOMPARE(window->menuBar()->cornerWidget(), row);
         int key = Qt::Key_1;
         for (const char *name : actions) {
-            const QString keyText = QStringLiteral("Ctrl+") + QChar(key);
+            const QString keyText = u"Ctrl+"_s + QChar(key);
             QCOMPARE(action(*window, name)->shortcut(), QKeySequence(keyText));
             QTest::keyClick(window.get(), Qt::Key(key++), Qt::ControlModifier);
             QCOMPARE(current(*window), name);
