@@ -17,19 +17,10 @@ constexpr float faint = 0.45F;
 
 QCPScatterStyle::ScatterShape dotShapeOf(Arithmetic arithmetic)
 {
-    switch (arithmetic) {
-    case Arithmetic::Exact:
-        break;
-    case Arithmetic::Float32:
-        return QCPScatterStyle::ssTriangle;
-    case Arithmetic::Float64:
-        return QCPScatterStyle::ssSquare;
-    case Arithmetic::Fixed16:
-        return QCPScatterStyle::ssDiamond;
-    case Arithmetic::Fixed32:
-        return QCPScatterStyle::ssTriangleInverted;
-    }
-    return QCPScatterStyle::ssCircle;
+    constexpr std::array shapes
+        = {QCPScatterStyle::ssCircle, QCPScatterStyle::ssTriangle, QCPScatterStyle::ssSquare,
+           QCPScatterStyle::ssDiamond, QCPScatterStyle::ssTriangleInverted};
+    return shapes[std::size_t(arithmetic)];
 }
 
 /// The arithmetic's shape as a path around (x, 0).

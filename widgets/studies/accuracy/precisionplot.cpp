@@ -23,35 +23,18 @@ constexpr int axisMargins = 60; ///< logical pixels above and below the axis, to
 
 QColor arithmeticColour(Arithmetic arithmetic, const QPalette &palette)
 {
-    switch (arithmetic) {
-    case Arithmetic::Exact:
-        break;
-    case Arithmetic::Float32:
-        return signColour(Sign::UpperEdge, palette);
-    case Arithmetic::Float64:
-        return signColour(Sign::LowerEdge, palette);
-    case Arithmetic::Fixed16:
-        return signColour(Sign::PickedPixel, palette);
-    case Arithmetic::Fixed32:
-        return signColour(Sign::Tie, palette);
-    }
-    return palette.color(QPalette::Text);
+    constexpr std::array signs // of the rounding ones
+        = {Sign::UpperEdge, Sign::LowerEdge, Sign::PickedPixel, Sign::Tie};
+    return arithmetic == Arithmetic::Exact
+        ? palette.color(QPalette::Text)
+        : signColour(signs[std::size_t(arithmetic) - 1], palette);
 }
 
 Qt::PenStyle arithmeticLine(Arithmetic arithmetic)
 {
-    switch (arithmetic) {
-    case Arithmetic::Exact:
-    case Arithmetic::Float32:
-        break;
-    case Arithmetic::Float64:
-        return Qt::DashLine;
-    case Arithmetic::Fixed16:
-        return Qt::DashDotLine;
-    case Arithmetic::Fixed32:
-        return Qt::DashDotDotLine;
-    }
-    return Qt::SolidLine;
+    constexpr std::array lines
+        = {Qt::SolidLine, Qt::SolidLine, Qt::DashLine, Qt::DashDotLine, Qt::DashDotDotLine};
+    return lines[std::size_t(arithmetic)];
 }
 
 QCustomPlot *makePlot(QWidget *owner, const std::function<void(const QPointF &)> &click)
