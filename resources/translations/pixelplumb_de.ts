@@ -1080,14 +1080,6 @@
         <translation>Die Bildfläche mit ihren Dreiecken. Ein Klick setzt einen Eckpunkt oder wählt mit dem Werkzeug Prüfen ein Pixel. Pfeiltasten bewegen das gewählte Pixel, die Eingabetaste setzt dort einen Eckpunkt, eckige Klammern wählen einen Eckpunkt, Strg mit Pfeiltasten bewegt ihn, C ändert seine Farbe.</translation>
     </message>
     <message>
-        <source>1:%1</source>
-        <translation>1:%1</translation>
-    </message>
-    <message>
-        <source>%1×</source>
-        <translation>%1×</translation>
-    </message>
-    <message>
         <source>waiting vertex %1 at %2</source>
         <translation>wartender Eckpunkt %1 bei %2</translation>
     </message>
@@ -5732,10 +5724,6 @@
     <message>
         <source>change frame</source>
         <translation>Bildfläche ändern</translation>
-    </message>
-    <message>
-        <source>move camera</source>
-        <translation>Kamera bewegen</translation>
     </message>
     <message>
         <source>change appearance</source>

@@ -45,8 +45,6 @@ public:
     QRectF rowRuler() const { return m_view.rowRuler(); }
     /// Device pixels per frame pixel; below 1:1 the negative of frame pixels per device pixel.
     int zoom() const { return mapping().zoom().number(); }
-    /// "8×" or "1:4".
-    QString zoomText() const;
 
     /// The pixel drawn under a position; none outside the frame and on the rulers.
     std::optional<QPoint> pixelAt(const QPointF &position) const

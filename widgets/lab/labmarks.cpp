@@ -70,14 +70,6 @@ QCPScatterStyle straightLoopDot(Arithmetic arithmetic, const QPalette &palette)
             QBrush(palette.color(QPalette::Base)), dotSize};
 }
 
-QCPScatterStyle otherMethodDot(Arithmetic arithmetic, std::size_t method, const QPalette &palette)
-{
-    constexpr std::array crosses
-        = {QCPScatterStyle::ssCross, QCPScatterStyle::ssPlus, QCPScatterStyle::ssStar};
-    return {crosses[method % crosses.size()], QPen(arithmeticColour(arithmetic, palette), 2),
-            QBrush(Qt::NoBrush), dotSize};
-}
-
 QCPScatterStyle waitingDot(QCPScatterStyle dot)
 {
     QPen pen = dot.pen();

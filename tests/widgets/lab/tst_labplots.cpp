@@ -78,12 +78,10 @@ private slots:
         QCOMPARE(priceText(*results, u"f"_s), QString());
     }
 
-    void theErrorScaleGoesThereAndBack()
+    void theErrorScaleKnowsTheClassOfEachPlace()
     {
         const ErrorScale scale(chartOf({positive(0.02), positive(700)}));
 
-        QCOMPARE(scale.leastExponent(), -2);
-        QCOMPARE(scale.largestExponent(), 3);
         QVERIFY(scale.toAxis(ErrorClass::ZeroProved, 0)
                 < scale.toAxis(ErrorClass::ZeroObserved, 0));
         QVERIFY(scale.toAxis(ErrorClass::ZeroObserved, 0) < scale.separator());
@@ -91,14 +89,11 @@ private slots:
         for (const double error : {0.01, 0.02, 1.0, 35.0, 700.0}) {
             const double axis = scale.toAxis(ErrorClass::Positive, error);
             QVERIFY(axis > before);
-            QVERIFY(std::abs(scale.errorAt(axis) - error) <= 1e-9 * error);
             QVERIFY(scale.classAt(axis) == ErrorClass::Positive);
             before = axis;
         }
-        for (const ErrorClass zero : {ErrorClass::ZeroObserved, ErrorClass::ZeroProved}) {
+        for (const ErrorClass zero : {ErrorClass::ZeroObserved, ErrorClass::ZeroProved})
             QVERIFY(scale.classAt(scale.toAxis(zero, 0)) == zero);
-            QCOMPARE(scale.errorAt(scale.toAxis(zero, 0)), 0.0);
-        }
         QVERIFY(before < scale.top());
     }
 
