@@ -4,7 +4,6 @@
 #include "core/runs/explain/formulaexplanation.h"
 #include "widgets/look/corewords.h"
 #include "widgets/look/formulahtml.h"
-#include "widgets/look/numberlayout.h"
 #include "widgets/look/parts.h"
 #include "widgets/look/signs.h"
 #include "widgets/look/typesetting.h"
@@ -90,8 +89,6 @@ FormulaPanel::FormulaPanel(Playhead *playhead, QWidget *parent)
     m_formulas->setOpenLinks(false);
     m_formulas->setMinimumHeight(fontMetrics().lineSpacing() * leastFormulaLines);
     m_formulas->document()->setDocumentMargin(4);
-    if (const QFont figures = tabularFont(font()); figures != font())
-        m_formulas->setFont(figures);
 
     auto *layout = withParts(new QVBoxLayout(this), {m_heading, m_sentence, {m_formulas, 1}}, 4);
     layout->setContentsMargins(8, 4, 0, 0);

@@ -64,8 +64,7 @@ void dressPlot(QCustomPlot &plot, const QWidget &owner)
 {
     const QColor text = owner.palette().color(QPalette::Text);
     const QBrush base(owner.palette().color(QPalette::Base));
-    QColor faint = text;
-    faint.setAlphaF(0.2F);
+    const QColor lines = translucent(text, 0.2);
     plot.setBackground(base);
     for (QCPAxis *axis : {plot.xAxis, plot.yAxis, plot.xAxis2}) {
         axis->setBasePen(QPen(text));
@@ -76,8 +75,8 @@ void dressPlot(QCustomPlot &plot, const QWidget &owner)
         axis->setTickLabelFont(owner.font());
         axis->setLabelFont(owner.font());
         axis->setLabelPadding(2);
-        axis->grid()->setPen(QPen(faint, 0, Qt::DotLine));
-        axis->grid()->setZeroLinePen(QPen(faint, 0, Qt::DotLine));
+        axis->grid()->setPen(QPen(lines, 0, Qt::DotLine));
+        axis->grid()->setZeroLinePen(QPen(lines, 0, Qt::DotLine));
     }
     plot.legend->setBrush(base);
     plot.legend->setBorderPen(Qt::NoPen);
@@ -191,8 +190,7 @@ void PrecisionPlot::addCurve(const BoundErrors &errors)
 
 void PrecisionPlot::addLimit(const BoundErrors &errors)
 {
-    QColor colour = arithmeticColour(errors.arithmetic, palette());
-    colour.setAlphaF(0.6F);
+    const QColor colour = translucent(arithmeticColour(errors.arithmetic, palette()), 0.6);
     for (const int side : {-1, 1}) {
         QVector<double> places;
         QVector<double> values;

@@ -72,9 +72,7 @@ ComparePane::ComparePane(int number, CompareLink *link, Playhead *playhead, QWid
     auto *first = new QHBoxLayout;
     first->setSpacing(4);
     auto *name = new QLabel(QString::number(number), this);
-    QFont bold = font();
-    bold.setBold(true);
-    name->setFont(bold);
+    name->setFont(bold(font()));
     first->addWidget(name);
     first->addWidget(m_method, 1);
     // In their own row: four panes side by side would push out the panels at the right.

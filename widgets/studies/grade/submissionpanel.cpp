@@ -63,9 +63,7 @@ void SubmissionPanel::addHead(QBoxLayout *layout)
 {
     m_name
         = named(new ElidedLabel(m_content), "submissionName", tr("The student's picture's file"));
-    QFont bold = m_name->font();
-    bold.setBold(true);
-    m_name->setFont(bold);
+    m_name->setFont(bold(m_name->font()));
     auto *open = namedButton("submissionOpen", tr("Open…"),
                              tr("Open a student's picture: PNG, PPM, BMP or a raster of # and ."),
                              m_content);
