@@ -1451,8 +1451,24 @@
         </translation>
     </message>
     <message>
-        <source>%1 px: %2 missing, %3 extra, %4 wrong colour</source>
-        <translation>%1 px: %2 fehlen, %3 zu viel, %4 andere Farbe</translation>
+        <source>%1 missing</source>
+        <translation>%1 fehlen</translation>
+    </message>
+    <message>
+        <source>%1 extra</source>
+        <translation>%1 zu viel</translation>
+    </message>
+    <message>
+        <source>%1 wrong colour</source>
+        <translation>%1 andere Farbe</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source>correct</source>
+        <translation>richtig</translation>
     </message>
 </context>
 <context>
@@ -1494,10 +1510,6 @@
         <translation>Noch ist nichts verglichen.</translation>
     </message>
     <message>
-        <source>%1 agree: %2</source>
-        <translation>%1 einig: %2</translation>
-    </message>
-    <message>
         <source>All agree on every pixel.</source>
         <translation>Bei jedem Pixel stimmen alle überein.</translation>
     </message>
@@ -1532,6 +1544,18 @@
     <message>
         <source>Finished pictures</source>
         <translation>Fertige Bilder</translation>
+    </message>
+    <message>
+        <source>all agree</source>
+        <translation>alle einig</translation>
+    </message>
+    <message>
+        <source>none agree</source>
+        <translation>keine einig</translation>
+    </message>
+    <message>
+        <source>%1 agree</source>
+        <translation>%1 einig</translation>
     </message>
 </context>
 <context>

@@ -77,7 +77,8 @@ public:
     void followPointer();
 
     QSize sizeHint() const override { return {720, 560}; }
-    QSize minimumSizeHint() const override { return {240, 200}; }
+    /// 48 rows at zoom 2 with the ruler: in a low window a study below needs the rest.
+    QSize minimumSizeHint() const override { return {240, 144}; }
 
 public slots:
     void setTool(pixelplumb::CanvasTool tool);
