@@ -1759,10 +1759,6 @@
         <translation>Abgegebenes Bild &amp;einfügen</translation>
     </message>
     <message>
-        <source>Marks on the canvas what differs in a picture or a raster of # and . from the clipboard (Ctrl+V)</source>
-        <translation>Markiert auf der Zeichenfläche, was in einem Bild oder einem Raster aus # und . aus der Zwischenablage abweicht (Strg+V)</translation>
-    </message>
-    <message>
         <source>Add a &amp;triangle…</source>
         <translation>&amp;Dreieck hinzufügen …</translation>
     </message>
@@ -1849,6 +1845,10 @@
     <message>
         <source>Ca&amp;mera, light and materials…</source>
         <translation>Kamera, Licht &amp;und Materialien …</translation>
+    </message>
+    <message>
+        <source>Marks on the canvas what differs in the clipboard&apos;s picture, or raster of “#” and “.” (Ctrl+V)</source>
+        <translation>Markiert auf der Zeichenfläche, was im Bild oder im Raster aus „#“ und „.“ in der Zwischenablage abweicht (Strg+V)</translation>
     </message>
 </context>
 <context>
@@ -6619,10 +6619,6 @@
         <translation>Öffnen …</translation>
     </message>
     <message>
-        <source>Open a student&apos;s picture: PNG, PPM, BMP or a raster of # and .</source>
-        <translation>Ein abgegebenes Bild öffnen: PNG, PPM, BMP oder ein Raster aus # und .</translation>
-    </message>
-    <message>
         <source>Remove</source>
         <translation>Entfernen</translation>
     </message>
@@ -6665,10 +6661,6 @@
     <message>
         <source>No student&apos;s picture</source>
         <translation>Kein abgegebenes Bild</translation>
-    </message>
-    <message>
-        <source>Drop a picture of this scene on the canvas, paste it (Ctrl+V) or open it: PNG, PPM, BMP or a raster of # and . What differs is marked on the canvas.</source>
-        <translation>Ein Bild dieser Szene auf die Zeichenfläche ziehen, einfügen (Strg+V) oder öffnen: PNG, PPM, BMP oder ein Raster aus # und . Was abweicht, wird auf der Zeichenfläche markiert.</translation>
     </message>
     <message>
         <source>Being compared.</source>
@@ -6746,6 +6738,14 @@
     <message>
         <source>Leeway</source>
         <translation>Spielraum</translation>
+    </message>
+    <message>
+        <source>Open a student&apos;s picture: PNG, PPM, BMP, or a raster of “#” and “.”</source>
+        <translation>Ein abgegebenes Bild öffnen: PNG, PPM, BMP oder ein Raster aus „#“ und „.“</translation>
+    </message>
+    <message>
+        <source>Drop a picture of this scene on the canvas, paste it (Ctrl+V) or open it: PNG, PPM, BMP, or a raster of “#” and “.”. What differs is marked on the canvas.</source>
+        <translation>Ein Bild dieser Szene auf die Zeichenfläche ziehen, einfügen (Strg+V) oder öffnen: PNG, PPM, BMP oder ein Raster aus „#“ und „.“. Was abweicht, wird auf der Zeichenfläche markiert.</translation>
     </message>
 </context>
 <context>
