@@ -28,41 +28,39 @@
 #endif
 
 using namespace pixelplumb;
+using namespace Qt::StringLiterals;
 
 namespace {
 
 template <class Choices>
 QString listed(const Choices &choices)
 {
-    return namesOf(choices).join(QStringLiteral(", "));
+    return namesOf(choices).join(u", "_s);
 }
 
 struct Options {
     QCommandLineOption palette{
-        QStringLiteral("palette"),
-        QCoreApplication::translate("main", "Colours: light, dark or system."),
-        QStringLiteral("name")};
+        u"palette"_s, QCoreApplication::translate("main", "Colours: light, dark or system."),
+        u"name"_s};
     QCommandLineOption position{
-        QStringLiteral("position"),
+        u"position"_s,
         QCoreApplication::translate("main", "Start with the first <steps> steps done."),
-        QStringLiteral("steps")};
+        u"steps"_s};
     QCommandLineOption column{
-        QStringLiteral("column"),
-        QCoreApplication::translate("main", "Start as column <x> is entered."),
-        QStringLiteral("x")};
-    QCommandLineOption method{QStringLiteral("method"),
-                              QCoreApplication::translate("main", "Draw by this method."),
-                              QStringLiteral("name")};
+        u"column"_s, QCoreApplication::translate("main", "Start as column <x> is entered."),
+        u"x"_s};
+    QCommandLineOption method{
+        u"method"_s, QCoreApplication::translate("main", "Draw by this method."), u"name"_s};
     QCommandLineOption arithmetic{
-        QStringLiteral("arithmetic"),
+        u"arithmetic"_s,
         QCoreApplication::translate("main", "Instead of the scene's, one of: %1.")
             .arg(listed(allArithmetics)),
-        QStringLiteral("name")};
+        u"name"_s};
     QCommandLineOption fillRule{
-        QStringLiteral("fill-rule"),
+        u"fill-rule"_s,
         QCoreApplication::translate("main", "Instead of the scene's, one of: %1.")
             .arg(listed(allFillRules)),
-        QStringLiteral("name")};
+        u"name"_s};
 
     QList<QCommandLineOption> all() const
     {
@@ -73,12 +71,12 @@ struct Options {
 /// Ends the program because an argument cannot be valid.
 [[noreturn]] void refuse(const QString &what)
 {
-    cli::sayLine(QStringLiteral("pixelplumb: ") + what);
+    cli::sayLine(u"pixelplumb: "_s + what);
     std::exit(int(cli::ExitCode::Usage));
 }
 [[noreturn]] void refuse(const QString &option, const QString &value, const QString &expected)
 {
-    refuse(QStringLiteral("--%1 %2: expected %3").arg(option, value, expected));
+    refuse(u"--%1 %2: expected %3"_s.arg(option, value, expected));
 }
 
 qlonglong numberOf(const QCommandLineParser &parser, const QCommandLineOption &option)
@@ -86,7 +84,7 @@ qlonglong numberOf(const QCommandLineParser &parser, const QCommandLineOption &o
     bool isNumber = false;
     const qlonglong number = parser.value(option).toLongLong(&isNumber);
     if (!isNumber)
-        refuse(option.names().constFirst(), parser.value(option), QStringLiteral("an integer"));
+        refuse(option.names().constFirst(), parser.value(option), u"an integer"_s);
     return number;
 }
 
@@ -94,8 +92,7 @@ std::size_t stepsOf(const QCommandLineParser &parser, const Options &options)
 {
     const qlonglong steps = numberOf(parser, options.position);
     if (steps < 0)
-        refuse(QStringLiteral("position"), parser.value(options.position),
-               QStringLiteral("0 or more"));
+        refuse(u"position"_s, parser.value(options.position), u"0 or more"_s);
     return std::size_t(steps);
 }
 
@@ -110,24 +107,23 @@ void overrideSettings(MainWindow &window, const QCommandLineParser &parser, cons
             QStringList ids;
             for (const Method &method : methods())
                 ids += method.id;
-            refuse(QStringLiteral("method"), name,
-                   QStringLiteral("a method that pixelplumb-cli methods lists")
-                       + cli::suggestion(name, ids));
+            refuse(u"method"_s, name,
+                   u"a method that pixelplumb-cli methods lists"_s + cli::suggestion(name, ids));
         }
         scene.method = parser.value(options.method).toStdString();
     }
     if (parser.isSet(options.arithmetic)) {
         const auto arithmetic = arithmeticNamed(parser.value(options.arithmetic).toStdString());
         if (!arithmetic)
-            refuse(QStringLiteral("arithmetic"), parser.value(options.arithmetic),
-                   QStringLiteral("one of ") + listed(allArithmetics));
+            refuse(u"arithmetic"_s, parser.value(options.arithmetic),
+                   u"one of "_s + listed(allArithmetics));
         scene.settings.arithmetic = *arithmetic;
     }
     if (parser.isSet(options.fillRule)) {
         const auto rule = fillRuleNamed(parser.value(options.fillRule).toStdString());
         if (!rule)
-            refuse(QStringLiteral("fill-rule"), parser.value(options.fillRule),
-                   QStringLiteral("one of ") + listed(allFillRules));
+            refuse(u"fill-rule"_s, parser.value(options.fillRule),
+                   u"one of "_s + listed(allFillRules));
         scene.settings.fillRule = *rule;
     }
     if (scene != window.parts().document->scene())
@@ -160,8 +156,7 @@ void open(MainWindow &window, const QCommandLineParser &parser, const Options &o
     if (paths.isEmpty())
         return;
     if (paths.size() > 1 || paths.constFirst().isEmpty())
-        refuse(QStringLiteral("“%1”: expected one scene, or one folder of results")
-                   .arg(paths.constLast()));
+        refuse(u"“%1”: expected one scene, or one folder of results"_s.arg(paths.constLast()));
     if (QFileInfo(paths.constFirst()).isDir())
         return window.openResults(paths.constFirst());
     if (!window.openScene(paths.constFirst()))
@@ -177,8 +172,8 @@ void open(MainWindow &window, const QCommandLineParser &parser, const Options &o
 
 void nameApplication()
 {
-    QCoreApplication::setOrganizationName(QStringLiteral("Pixelplumb"));
-    QCoreApplication::setApplicationName(QStringLiteral("pixelplumb"));
+    QCoreApplication::setOrganizationName(u"Pixelplumb"_s);
+    QCoreApplication::setApplicationName(u"pixelplumb"_s);
     QCoreApplication::setApplicationVersion(QStringLiteral(PIXELPLUMB_VERSION));
 }
 
@@ -189,11 +184,11 @@ void describe(QCommandLineParser &parser, const Options &options)
     parser.addHelpOption();
     parser.addVersionOption();
     parser.addPositionalArgument(
-        QStringLiteral("scene"),
+        u"scene"_s,
         QCoreApplication::translate("main",
                                     "A scene file to open, or a folder of results of "
                                     "pixelplumb-cli grade, to look through in Grading."),
-        QStringLiteral("[scene | results]"));
+        u"[scene | results]"_s);
     parser.addOptions(options.all());
 }
 
@@ -232,16 +227,14 @@ int main(int argc, char *argv[])
         refuse(parser.errorText());
     for (const QCommandLineOption &option : options.all()) {
         if (parser.values(option).size() > 1)
-            refuse(QStringLiteral("--%1 stands twice; expected it once")
-                       .arg(option.names().constFirst()));
+            refuse(u"--%1 stands twice; expected it once"_s.arg(option.names().constFirst()));
     }
     parser.process(*application); // prints help and the version, and ends the program
-    QApplication::setDesktopFileName(QStringLiteral("org.pixelplumb.Pixelplumb"));
-    QApplication::setWindowIcon(QIcon(QStringLiteral(":/icons/pixelplumb.svg")));
+    QApplication::setDesktopFileName(u"org.pixelplumb.Pixelplumb"_s);
+    QApplication::setWindowIcon(QIcon(u":/icons/pixelplumb.svg"_s));
     const auto palette = paletteNamed(parser.value(options.palette));
     if (parser.isSet(options.palette) && !palette)
-        refuse(QStringLiteral("palette"), parser.value(options.palette),
-               QStringLiteral("light, dark or system"));
+        refuse(u"palette"_s, parser.value(options.palette), u"light, dark or system"_s);
 
     MainWindow window;
     if (palette)

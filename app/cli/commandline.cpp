@@ -17,7 +17,7 @@ constexpr QChar minusSign(0x2212);
 /// QCommandLineParser reads "-3" as an option, so it is given a minus sign (U+2212) instead.
 QStringList withProtectedNumbers(const QStringList &arguments)
 {
-    static const QRegularExpression negativeNumber(QStringLiteral("^-(?=[0-9.])"));
+    static const QRegularExpression negativeNumber(u"^-(?=[0-9.])"_s);
     QStringList words = arguments;
     return words.replaceInStrings(negativeNumber, QString(minusSign));
 }
@@ -34,7 +34,7 @@ QString dashed(const QString &option) { return QString(option.size() == 1 ? 1 : 
 /// A list of names with their dashes; a single letter is no abbreviation: --x.
 QString dashedAmong(const QStringList &names, const QString &name)
 {
-    return names.size() == 1 ? QStringLiteral("--") + name : dashed(name);
+    return names.size() == 1 ? u"--"_s + name : dashed(name);
 }
 
 QString usageOf(const Positional &positional)
@@ -45,12 +45,12 @@ QString usageOf(const Positional &positional)
     case Positional::Presence::Optional:
         return u'[' + positional.name + u']';
     case Positional::Presence::AnyNumber:
-        return u'[' + positional.name + QStringLiteral("...]");
+        return u'[' + positional.name + u"...]"_s;
     case Positional::Presence::Several:
     case Positional::Presence::Command:
         break;
     }
-    return positional.name + QStringLiteral("...");
+    return positional.name + u"..."_s;
 }
 
 } // namespace
@@ -63,7 +63,7 @@ CommandLine::CommandLine(const Command &command, std::vector<Positional> positio
     m_parser.setApplicationDescription(m_summary);
     for (const Positional &positional : m_positionals)
         m_parser.addPositionalArgument(positional.name, positional.meaning);
-    addOption({{QStringLiteral("h"), QStringLiteral("help")}, QStringLiteral("Show this help.")});
+    addOption({{u"h"_s, u"help"_s}, u"Show this help."_s});
 }
 
 void CommandLine::addOption(const QCommandLineOption &option)
@@ -79,16 +79,13 @@ void CommandLine::addRepeatedOption(const QCommandLineOption &option)
     m_parser.addOption(option);
 }
 
-void CommandLine::addJsonOption()
-{
-    addOption({QStringLiteral("json"), QStringLiteral("Print JSON.")});
-}
+void CommandLine::addJsonOption() { addOption({u"json"_s, u"Print JSON."_s}); }
 
 void CommandLine::parse(const QStringList &arguments)
 {
     const bool parsed = m_parser.parse(QStringList{QCoreApplication::applicationName()}
                                        + withProtectedNumbers(arguments));
-    if (m_parser.isSet(QStringLiteral("help"))) {
+    if (m_parser.isSet(u"help"_s)) {
         printHelp();
         throw Ended{ExitCode::Done};
     }
@@ -106,7 +103,7 @@ void CommandLine::parse(const QStringList &arguments)
     };
     if (positionals.size() < expected && !mayBeLeftOut(positionals.size())) {
         const Positional &missing = m_positionals[std::size_t(positionals.size())];
-        refuse(QStringLiteral("%1 is missing: %2").arg(missing.name, missing.meaning));
+        refuse(u"%1 is missing: %2"_s.arg(missing.name, missing.meaning));
     }
     const auto last = expected > 0 ? presence(expected - 1) : Positional::Presence::Required;
     const bool isList
@@ -116,10 +113,10 @@ void CommandLine::parse(const QStringList &arguments)
     for (qsizetype place = 0; place < filled; ++place) {
         const Positional &positional = m_positionals[std::size_t(std::min(place, expected - 1))];
         if (positionals[place].isEmpty())
-            refuse(QStringLiteral("%1 is empty: %2").arg(positional.name, positional.meaning));
+            refuse(u"%1 is empty: %2"_s.arg(positional.name, positional.meaning));
     }
     if (positionals.size() > expected && !takesMore)
-        refuse(QStringLiteral("unexpected argument “%1”").arg(argument(expected)));
+        refuse(u"unexpected argument “%1”"_s.arg(argument(expected)));
 }
 
 QString CommandLine::value(const QString &option) const
@@ -152,8 +149,8 @@ void CommandLine::refuseRepeatedOption() const
         const QStringList values = m_parser.values(names.front());
         for (qsizetype i = 0; i < values.size(); ++i)
             written[i] += u' ' + asWritten(values[i]);
-        refuse(QStringLiteral("%1; expected %2 once")
-                   .arg(written.join(QStringLiteral(" and ")), dashedAmong(names, names.back())));
+        refuse(u"%1; expected %2 once"_s.arg(written.join(u" and "_s),
+                                             dashedAmong(names, names.back())));
     }
 }
 
@@ -163,8 +160,8 @@ void CommandLine::refuseEmptyOption() const
     for (const QCommandLineOption &option : m_options) {
         for (const QString &name : option.names()) {
             if (found.contains(name) && m_parser.values(name).contains(QString()))
-                refuse(QStringLiteral("%1 is empty; expected its %2")
-                           .arg(dashedAmong(option.names(), name), option.valueName()));
+                refuse(u"%1 is empty; expected its %2"_s.arg(dashedAmong(option.names(), name),
+                                                             option.valueName()));
         }
     }
 }
@@ -173,19 +170,18 @@ QString CommandLine::unknownOption() const
 {
     const QString name = m_parser.unknownOptionNames().constFirst();
     const QString closest = closestTo(name, m_optionNames);
-    const QString text = QStringLiteral("unknown option %1").arg(dashed(name));
-    return closest.isEmpty() ? text
-                             : text + QStringLiteral("; did you mean %1?").arg(dashed(closest));
+    const QString text = u"unknown option %1"_s.arg(dashed(name));
+    return closest.isEmpty() ? text : text + u"; did you mean %1?"_s.arg(dashed(closest));
 }
 
 void CommandLine::printHelp() const
 {
-    QStringList words = {QCoreApplication::applicationName(), m_name, QStringLiteral("[options]")};
+    QStringList words = {QCoreApplication::applicationName(), m_name, u"[options]"_s};
     for (const Positional &positional : m_positionals)
         words.append(usageOf(positional));
     // The parser begins its help with the program's path; this usage line names the command.
     const QString help = m_parser.helpText();
-    const QString usage = QStringLiteral("Usage: ") + words.join(u' ');
+    const QString usage = u"Usage: "_s + words.join(u' ');
     printLines((usage + help.sliced(help.indexOf(u'\n'))).trimmed().split(u'\n'));
 }
 

@@ -7,7 +7,6 @@
 #include "core/grade/pictures/picturediff.h"
 #include "core/lab/study/study.h"
 #include "core/layers/affineimage.h"
-#include "core/methods/method.h"
 #include "core/runs/explain/pixelhistory.h"
 #include "core/scene/scene.h"
 
@@ -78,15 +77,6 @@ LayerRequest layerRequestFrom(const CommandLine &line);
 /// The picture at the position, each pixel a square of `scale` pixels a side, with the layers over
 /// it. Texts that belong to the layers, and why one shows nothing, go to stderr.
 QImage pictureWithLayers(const SceneRun &run, const LayerRequest &request, std::int64_t scale);
-
-/// The kinds of primitive the method draws: "triangle", …
-QStringList kindsOf(const Method &method);
-/// The entry for a method in the list of methods.
-QJsonObject methodJson(const Method &method);
-/// Prints all about a method, with its numbers and, for each arithmetic, the summary of its
-/// operations on the standard example (core/lab/counting/standardexamples.h).
-void printWholeMethod(const Method &method);
-QJsonObject wholeMethodJson(const Method &method);
 
 /// The history of one pixel, to report as text or as JSON.
 struct PixelReport {

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/cli/commandline.h"
 #include "app/cli/commands.h"
 #include "app/cli/console.h"
 #include "app/cli/files.h"
-#include "app/cli/options.h"
 #include "core/compare/contest.h"
 #include "core/scene/files/inputrecord.h"
 
@@ -62,32 +62,31 @@ QImage pictureOf(const Contest &contest)
 
 ExitCode compare(const Command &command, const QStringList &arguments)
 {
-    const QString methodsOption = QStringLiteral("methods");
-    const QString limitOption = QStringLiteral("limit");
-    const QString drawingOption = QStringLiteral("output");
+    const QString methodsOption = u"methods"_s;
+    const QString limitOption = u"limit"_s;
+    const QString drawingOption = u"output"_s;
     CommandLine line(command, {scenePositional()});
     line.addOption(
         {methodsOption,
-         QStringLiteral("Two to four of method[:arithmetic[:fill-rule[:variant…]]] and "
-                        "truth[:fill-rule], separated by commas; what is left out is the scene's."),
-         QStringLiteral("list")});
-    line.addOption({limitOption, QStringLiteral("List this many differing pixels; 20 if left out."),
-                    QStringLiteral("count"), QStringLiteral("20")});
+         u"Two to four of method[:arithmetic[:fill-rule[:variant…]]] and truth[:fill-rule], "
+         "separated by commas; what is left out is the scene's."_s,
+         u"list"_s});
     line.addOption(
-        {{QStringLiteral("o"), drawingOption},
-         QStringLiteral(
-             "Write a picture, too: PNG, BMP or PPM by the name's extension. It is the first "
-             "method's, faint, with differing pixels in the colours that the manual lists."),
-         QStringLiteral("file")});
+        {limitOption, u"List this many differing pixels; 20 if left out."_s, u"count"_s, u"20"_s});
+    line.addOption(
+        {{u"o"_s, drawingOption},
+         u"Write a picture, too: PNG, BMP or PPM by the name's extension. It is the first "
+         "method's, faint, with differing pixels in the colours that the manual lists."_s,
+         u"file"_s});
     line.addJsonOption();
     addSettingOptions(line);
     line.parse(arguments);
     if (!line.isSet(methodsOption))
-        refuse(QStringLiteral("--methods is missing; expected a list such as "
-                              "column-scan:exact,column-scan:float32,truth"));
+        refuse(u"--methods is missing; expected a list such as "
+               "column-scan:exact,column-scan:float32,truth"_s);
     const auto limit = wholeNumberOf(line, limitOption, {});
     const auto format = pictureFormatOf(line, drawingOption);
-    refuseStandardOutput(line.value(drawingOption), QStringLiteral("a file"));
+    refuseStandardOutput(line.value(drawingOption), u"a file"_s);
     const SceneRun run = readScene(line, line.argument(0));
     const Scene &scene = run.scene;
     const std::vector<Contender> contenders
@@ -97,7 +96,7 @@ ExitCode compare(const Command &command, const QStringList &arguments)
         if (contender.isTruth())
             continue;
         runs.emplace_back(sceneFor(scene, contender), run.primitives);
-        refuseIf(refusalOf(runs.back(), QStringLiteral("--methods")));
+        refuseIf(refusalOf(runs.back(), u"--methods"_s));
     }
 
     if (line.isSet(drawingOption))
@@ -108,8 +107,7 @@ ExitCode compare(const Command &command, const QStringList &arguments)
         return compareContenders(scene, contenders, options);
     });
     for (const SceneRun &each : runs)
-        reportRejections(line.argument(0) + QStringLiteral(", ")
-                             + Contender{each.method, each.settings}.name(),
+        reportRejections(line.argument(0) + u", "_s + Contender{each.method, each.settings}.name(),
                          rejectedPrimitives(each));
 
     const CompareReport report{*contest, std::size_t(limit.value())};

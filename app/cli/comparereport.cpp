@@ -7,8 +7,6 @@
 
 #include <QJsonArray>
 
-#include <algorithm>
-
 namespace pixelplumb::cli {
 
 namespace {
@@ -54,11 +52,9 @@ QStringList undrawnLines(const Contest &contest)
     for (std::size_t i = 0; i < contest.runs.size(); ++i) {
         const QStringList kinds = kindsUndrawnBy(contest.runs[i], contest);
         if (!kinds.isEmpty())
-            lines.append(
-                QStringLiteral(
-                    "%1 does not draw %2: missing, extra and colour are those of the rest.")
-                    .arg(i + 1)
-                    .arg(kinds.join(QStringLiteral(", "))));
+            lines.append(u"%1 does not draw %2: missing, extra and colour are those of the rest."_s
+                             .arg(i + 1)
+                             .arg(kinds.join(u", "_s)));
     }
     return lines;
 }
@@ -66,25 +62,23 @@ QStringList undrawnLines(const Contest &contest)
 QStringList contenderTable(const Contest &contest)
 {
     const QStringList undrawn = undrawnLines(contest);
-    QStringList head
-        = {QStringLiteral("contender"), QStringLiteral("pixels"), QStringLiteral("missing"),
-           QStringLiteral("extra"), QStringLiteral("colour")};
+    QStringList head = {u"contender"_s, u"pixels"_s, u"missing"_s, u"extra"_s, u"colour"_s};
     if (!undrawn.isEmpty())
-        head.append(QStringLiteral("undrawn"));
+        head.append(u"undrawn"_s);
     for (std::size_t i = 1; i <= contest.runs.size(); ++i)
-        head.append(QStringLiteral("≠%1").arg(i));
+        head.append(u"≠%1"_s.arg(i));
     std::vector<QStringList> rows = {head};
     for (std::size_t i = 0; i < contest.runs.size(); ++i) {
         const ContenderRun &run = contest.runs[i];
         const auto against
             = [&run](Difference kind) { return number(run.tally.againstTruth.count(kind)); };
-        QStringList row = {QStringLiteral("%1 %2").arg(i + 1).arg(run.contender.name()),
+        QStringList row = {u"%1 %2"_s.arg(i + 1).arg(run.contender.name()),
                            number(run.tally.written), against(Difference::Missing),
                            against(Difference::Extra), against(Difference::Colour)};
         if (!undrawn.isEmpty())
             row.append(number(run.tally.undrawn));
         for (std::size_t j = 0; j < contest.runs.size(); ++j)
-            row.append(i == j ? QStringLiteral("–") : number(run.tally.differsFrom[j]));
+            row.append(i == j ? u"–"_s : number(run.tally.differsFrom[j]));
         rows.push_back(row);
     }
     return aligned(rows) + undrawn;
@@ -92,15 +86,14 @@ QStringList contenderTable(const Contest &contest)
 
 QStringList agreementTable(const AgreementMap &agreement)
 {
-    std::vector<QStringList> rows = {{QStringLiteral("agree"), QStringLiteral("pixels")}};
+    std::vector<QStringList> rows = {{u"agree"_s, u"pixels"_s}};
     for (int agreeing = agreement.contenderCount(); agreeing > 0; --agreeing) {
-        rows.push_back({QStringLiteral("%1 of %2").arg(agreeing).arg(agreement.contenderCount()),
+        rows.push_back({u"%1 of %2"_s.arg(agreeing).arg(agreement.contenderCount()),
                         number(agreement.countAgreeing(agreeing))});
     }
     for (const Disagreement reason : allDisagreements) {
         if (agreement.count(reason) > 0)
-            rows.push_back(
-                {QStringLiteral("  ") + nameOf(reason), number(agreement.count(reason))});
+            rows.push_back({u"  "_s + nameOf(reason), number(agreement.count(reason))});
     }
     return aligned(rows);
 }
@@ -110,8 +103,7 @@ QStringList carriedLines(const Contest &contest)
 {
     QStringList lines;
     for (const CarriedAgreement &agreement : contest.carried)
-        lines.append(QStringLiteral("%1 and %2, %3")
-                         .arg(agreement.first + 1)
+        lines.append(u"%1 and %2, %3"_s.arg(agreement.first + 1)
                          .arg(agreement.second + 1)
                          .arg(textOf(agreement)));
     return lines.isEmpty() ? lines : QStringList{QString()} + lines;
@@ -120,19 +112,19 @@ QStringList carriedLines(const Contest &contest)
 QJsonObject jsonOf(const CarriedAgreement &agreement)
 {
     const bool differs = agreement.differing > 0;
-    return {{QStringLiteral("contenders"),
-             QJsonArray{qint64(agreement.first + 1), qint64(agreement.second + 1)}},
-            {QStringLiteral("number"), agreement.title},
-            {QStringLiteral("samples"), qint64(agreement.samples)},
-            {QStringLiteral("differing"), qint64(agreement.differing)},
-            {QStringLiteral("largest"), agreement.largest},
-            {QStringLiteral("x"), differs ? QJsonValue(qint64(agreement.x)) : QJsonValue()},
-            {QStringLiteral("y"), differs ? QJsonValue(qint64(agreement.y)) : QJsonValue()}};
+    return {
+        {u"contenders"_s, QJsonArray{qint64(agreement.first + 1), qint64(agreement.second + 1)}},
+        {u"number"_s, agreement.title},
+        {u"samples"_s, qint64(agreement.samples)},
+        {u"differing"_s, qint64(agreement.differing)},
+        {u"largest"_s, agreement.largest},
+        {u"x"_s, differs ? QJsonValue(qint64(agreement.x)) : QJsonValue()},
+        {u"y"_s, differs ? QJsonValue(qint64(agreement.y)) : QJsonValue()}};
 }
 
 QString valueText(const PixelOpinion &opinion)
 {
-    return opinion.written ? colourText(opinion.colour) : QStringLiteral("not drawn");
+    return opinion.written ? colourText(opinion.colour) : u"not drawn"_s;
 }
 
 QStringList pixelLines(const PixelComparison &pixel)
@@ -141,13 +133,12 @@ QStringList pixelLines(const PixelComparison &pixel)
     QStringList reasons;
     for (std::size_t i = 0; i < pixel.opinions.size(); ++i) {
         const PixelOpinion &opinion = pixel.opinions[i];
-        values.append(QStringLiteral("%1 %2").arg(i + 1).arg(valueText(opinion)));
+        values.append(u"%1 %2"_s.arg(i + 1).arg(valueText(opinion)));
         if (!opinion.words.isEmpty())
-            reasons.append(QStringLiteral("    %1 %2").arg(i + 1).arg(opinion.words));
+            reasons.append(u"    %1 %2"_s.arg(i + 1).arg(opinion.words));
     }
-    return QStringList{withMinus(QStringLiteral("(%1, %2) ").arg(pixel.x).arg(pixel.y))
-                       + QStringLiteral("%1: %2").arg(nameOf(pixel.reason),
-                                                      values.join(QStringLiteral(", ")))}
+    return QStringList{withMinus(u"(%1, %2) "_s.arg(pixel.x).arg(pixel.y))
+                       + u"%1: %2"_s.arg(nameOf(pixel.reason), values.join(u", "_s))}
     + reasons;
 }
 
@@ -155,17 +146,16 @@ QJsonObject jsonOf(const PixelComparison &pixel)
 {
     QJsonArray opinions;
     for (const PixelOpinion &opinion : pixel.opinions) {
-        opinions.append(
-            QJsonObject{{QStringLiteral("colour"),
-                         opinion.written ? QJsonValue(colourText(opinion.colour)) : QJsonValue()},
-                        {QStringLiteral("reason"), nameOf(opinion.deviation.reason)},
-                        {QStringLiteral("words"), opinion.words}});
+        opinions.append(QJsonObject{
+            {u"colour"_s, opinion.written ? QJsonValue(colourText(opinion.colour)) : QJsonValue()},
+            {u"reason"_s, nameOf(opinion.deviation.reason)},
+            {u"words"_s, opinion.words}});
     }
-    return {{QStringLiteral("x"), qint64(pixel.x)},
-            {QStringLiteral("y"), qint64(pixel.y)},
-            {QStringLiteral("agreeing"), pixel.agreeing},
-            {QStringLiteral("reason"), nameOf(pixel.reason)},
-            {QStringLiteral("contenders"), opinions}};
+    return {{u"x"_s, qint64(pixel.x)},
+            {u"y"_s, qint64(pixel.y)},
+            {u"agreeing"_s, pixel.agreeing},
+            {u"reason"_s, nameOf(pixel.reason)},
+            {u"contenders"_s, opinions}};
 }
 
 QJsonObject jsonOf(const ContenderRun &run, const Contest &contest)
@@ -180,19 +170,18 @@ QJsonObject jsonOf(const ContenderRun &run, const Contest &contest)
     for (const Variant variant : variantsIn(contender.settings.variants))
         variants.append(nameText(nameOf(variant)));
     return {
-        {QStringLiteral("method"),
-         contender.isTruth() ? QStringLiteral("truth") : contender.method->id},
-        {QStringLiteral("arithmetic"),
+        {u"method"_s, contender.isTruth() ? u"truth"_s : contender.method->id},
+        {u"arithmetic"_s,
          nameText(nameOf(contender.isTruth() ? Arithmetic::Exact : contender.settings.arithmetic))},
-        {QStringLiteral("fillRule"), nameText(nameOf(contender.settings.fillRule))},
-        {QStringLiteral("variants"), variants},
-        {QStringLiteral("pixels"), qint64(run.tally.written)},
-        {QStringLiteral("missing"), against(Difference::Missing)},
-        {QStringLiteral("extra"), against(Difference::Extra)},
-        {QStringLiteral("colour"), against(Difference::Colour)},
-        {QStringLiteral("undrawn"), qint64(run.tally.undrawn)},
-        {QStringLiteral("kindsNotDrawn"), QJsonArray::fromStringList(kindsUndrawnBy(run, contest))},
-        {QStringLiteral("differsFrom"), differs}};
+        {u"fillRule"_s, nameText(nameOf(contender.settings.fillRule))},
+        {u"variants"_s, variants},
+        {u"pixels"_s, qint64(run.tally.written)},
+        {u"missing"_s, against(Difference::Missing)},
+        {u"extra"_s, against(Difference::Extra)},
+        {u"colour"_s, against(Difference::Colour)},
+        {u"undrawn"_s, qint64(run.tally.undrawn)},
+        {u"kindsNotDrawn"_s, QJsonArray::fromStringList(kindsUndrawnBy(run, contest))},
+        {u"differsFrom"_s, differs}};
 }
 
 } // namespace
@@ -203,16 +192,14 @@ QStringList compareLines(const CompareReport &report)
     QStringList lines = contenderTable(report.contest);
     lines += QStringList{QString()} + agreementTable(agreement) + carriedLines(report.contest);
     if (agreement.differing() == 0)
-        return lines + QStringList{QString(), QStringLiteral("All agree on every pixel.")};
+        return lines + QStringList{QString(), u"All agree on every pixel."_s};
     lines.append(QString());
     const std::vector<PixelComparison> pixels = differingPixels(report);
     for (const PixelComparison &pixel : pixels)
         lines += pixelLines(pixel);
     const std::int64_t more = agreement.differing() - std::int64_t(pixels.size());
     if (more > 0)
-        lines.append(QStringLiteral("and %1 more; --limit %2 lists all")
-                         .arg(more)
-                         .arg(agreement.differing()));
+        lines.append(u"and %1 more; --limit %2 lists all"_s.arg(more).arg(agreement.differing()));
     return lines;
 }
 
@@ -234,12 +221,9 @@ QJsonObject compareJson(const CompareReport &report)
     QJsonArray pixels;
     for (const PixelComparison &pixel : differingPixels(report))
         pixels.append(jsonOf(pixel));
-    return {{QStringLiteral("contenders"), contenders},
-            {QStringLiteral("agreeing"), agreeing},
-            {QStringLiteral("reasons"), reasons},
-            {QStringLiteral("differing"), qint64(agreement.differing())},
-            {QStringLiteral("carried"), carried},
-            {QStringLiteral("pixels"), pixels}};
+    return {{u"contenders"_s, contenders}, {u"agreeing"_s, agreeing},
+            {u"reasons"_s, reasons},       {u"differing"_s, qint64(agreement.differing())},
+            {u"carried"_s, carried},       {u"pixels"_s, pixels}};
 }
 
 } // namespace pixelplumb::cli

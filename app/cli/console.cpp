@@ -50,17 +50,15 @@ void refuseIf(const std::optional<InputError> &why)
 std::optional<QString> refusalOfBytes(int argc, char *argv[])
 {
     const auto isForeign = [](const QByteArray &bytes) { return !bytes.isValidUtf8(); };
-    const QString expected = QStringLiteral("is not UTF-8; expected names in UTF-8");
+    const QString expected = u"is not UTF-8; expected names in UTF-8"_s;
     for (int i = 1; i < argc; ++i) {
         if (isForeign(argv[i]))
-            return QStringLiteral("argument %1, “%2”, ").arg(i).arg(escapedName(argv[i]))
-                + expected;
+            return u"argument %1, “%2”, "_s.arg(i).arg(escapedName(argv[i])) + expected;
     }
     std::error_code ignored;
     const std::string folder = std::filesystem::current_path(ignored).native();
     if (isForeign(QByteArray::fromStdString(folder)))
-        return QStringLiteral("the current folder, “%1”, ")
-                   .arg(escapedName(QByteArray::fromStdString(folder)))
+        return u"the current folder, “%1”, "_s.arg(escapedName(QByteArray::fromStdString(folder)))
             + expected;
     return std::nullopt;
 }
@@ -71,8 +69,7 @@ ExitCode endOf(const QString &command, const std::function<ExitCode()> &work)
         return work();
     } catch (const Ended &end) {
         if (const QString why = end.why.message(); !why.isEmpty())
-            sayLine(
-                QStringLiteral("%1 %2: %3").arg(QCoreApplication::applicationName(), command, why));
+            sayLine(u"%1 %2: %3"_s.arg(QCoreApplication::applicationName(), command, why));
         return end.code;
     }
 }
@@ -105,10 +102,10 @@ std::optional<InputError> finishPrinting()
         printFault = errno;
     if (printFault == 0 && std::ferror(stdout) == 0)
         return std::nullopt;
-    QString what = QStringLiteral("cannot be written");
+    QString what = u"cannot be written"_s;
     if (printFault != 0)
-        what += QStringLiteral(": ") + qt_error_string(printFault);
-    return InputError{QStringLiteral("standard output"), what, {}};
+        what += u": "_s + qt_error_string(printFault);
+    return InputError{u"standard output"_s, what, {}};
 }
 
 void sayLine(const QString &line)
@@ -179,14 +176,14 @@ QString closestTo(const QString &word, const QStringList &candidates)
 QString suggestion(const QString &word, const QStringList &candidates)
 {
     const QString closest = closestTo(word, candidates);
-    return closest.isEmpty() ? QString() : QStringLiteral("; did you mean %1?").arg(closest);
+    return closest.isEmpty() ? QString() : u"; did you mean %1?"_s.arg(closest);
 }
 
 void refuseUnknown(const QString &place, const QString &what, const QString &word,
                    const QStringList &names)
 {
-    refuse({place, QStringLiteral("unknown %1 “%2”").arg(what, word) + suggestion(word, names),
-            QStringLiteral("one of ") + names.join(QStringLiteral(", "))});
+    refuse({place, u"unknown %1 “%2”"_s.arg(what, word) + suggestion(word, names),
+            u"one of "_s + names.join(u", "_s)});
 }
 
 void refuseUnknownAmongMany(const QString &place, const QString &what, const QString &word,
@@ -194,10 +191,9 @@ void refuseUnknownAmongMany(const QString &place, const QString &what, const QSt
 {
     constexpr qsizetype mostNamed = 3;
     const QStringList nearest = nearestTo(word, names).mid(0, mostNamed);
-    const QString meant = nearest.isEmpty()
-        ? QString()
-        : QStringLiteral("; did you mean %1?").arg(nearest.join(QStringLiteral(" or ")));
-    refuse({place, QStringLiteral("unknown %1 “%2”").arg(what, word) + meant, expected});
+    const QString meant
+        = nearest.isEmpty() ? QString() : u"; did you mean %1?"_s.arg(nearest.join(u" or "_s));
+    refuse({place, u"unknown %1 “%2”"_s.arg(what, word) + meant, expected});
 }
 
 QStringList alignedRows(const std::vector<QStringList> &rows,
@@ -214,7 +210,7 @@ QStringList alignedRows(const std::vector<QStringList> &rows,
         for (qsizetype column = 0; column < row.size(); ++column)
             cells.append(holdsWords(column) ? row[column].leftJustified(widths[column])
                                             : row[column].rightJustified(widths[column]));
-        QString line = cells.join(QStringLiteral("  "));
+        QString line = cells.join(u"  "_s);
         while (line.endsWith(u' '))
             line.chop(1);
         lines.append(line);
@@ -232,9 +228,9 @@ QString stateText(const JobProgress &progress)
 {
     const std::string_view name = nameOf(progress.phase);
     QString text = QLatin1String(name.data(), qsizetype(name.size()));
-    text += QStringLiteral(": %1").arg(progress.done);
+    text += u": %1"_s.arg(progress.done);
     if (progress.total > 0)
-        text += QStringLiteral(" of %1").arg(progress.total);
+        text += u" of %1"_s.arg(progress.total);
     return text;
 }
 

@@ -16,6 +16,8 @@
 
 namespace pixelplumb::cli {
 
+using namespace Qt::StringLiterals;
+
 /// How the program ended, for shells and graders.
 enum class ExitCode {
     Done = 0, ///< done, or no difference

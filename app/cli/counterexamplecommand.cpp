@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/cli/commandline.h"
 #include "app/cli/commands.h"
 #include "app/cli/console.h"
 #include "app/cli/files.h"
-#include "app/cli/options.h"
 #include "core/frame/framebuffer.h"
 #include "core/grade/diagnose/diagnosis.h"
 #include "core/grade/hunt/counterexample.h"
@@ -67,8 +67,7 @@ QStringList undrawnLines(const CounterSearch &search)
 {
     if (!search.firstUndrawn)
         return {};
-    return {QStringLiteral("%1 could not be drawn; the first: %2")
-                .arg(search.undrawn)
+    return {u"%1 could not be drawn; the first: %2"_s.arg(search.undrawn)
                 .arg(undrawnText(*search.firstUndrawn))};
 }
 
@@ -76,78 +75,71 @@ QStringList linesOf(const Sides &sides, const CounterSearch &search)
 {
     const auto &sources = sides.sources;
     if (!search.found) {
-        QStringList lines
-            = {QStringLiteral("none found: %1 and %2 draw the same in %3 scenes")
-                   .arg(sources[0].name, sources[1].name, QString::number(search.compared))};
+        QStringList lines = {u"none found: %1 and %2 draw the same in %3 scenes"_s.arg(
+            sources[0].name, sources[1].name, QString::number(search.compared))};
         return lines + undrawnLines(search);
     }
     const CounterExample &example = *search.found;
     const FrameSpec &frame = example.scene.frame;
-    QStringList lines = {QStringLiteral("%1 × %2 pixels, scene %3 of the search")
-                             .arg(frame.width)
+    QStringList lines = {u"%1 × %2 pixels, scene %3 of the search"_s.arg(frame.width)
                              .arg(frame.height)
                              .arg(search.tried)};
     lines += primitiveLines(example.scene);
     constexpr std::size_t mostListed = 8;
     const auto pixels = differingPixelsOf(example);
     for (std::size_t i = 0; i < std::min(pixels.size(), mostListed); ++i)
-        lines += withMinus(QStringLiteral("pixel (%1, %2)").arg(pixels[i].x).arg(pixels[i].y))
-            + QStringLiteral(": %1 has %2, %3 %4")
-                  .arg(sources[0].name, colourText(pixels[i].one), sources[1].name,
-                       colourText(pixels[i].other));
+        lines += withMinus(u"pixel (%1, %2)"_s.arg(pixels[i].x).arg(pixels[i].y))
+            + u": %1 has %2, %3 %4"_s.arg(sources[0].name, colourText(pixels[i].one),
+                                          sources[1].name, colourText(pixels[i].other));
     if (pixels.size() > mostListed)
-        lines += QStringLiteral("and %1 pixels more").arg(pixels.size() - mostListed);
+        lines += u"and %1 pixels more"_s.arg(pixels.size() - mostListed);
     if (const auto step = partingStepOf(sides, example.scene))
-        lines += QStringLiteral("%1 parts at step %2, %3: %4")
-                     .arg(sources[partingSide(sides)].name, QString::number(step->step + 1),
-                          step->heading, step->text);
+        lines += u"%1 parts at step %2, %3: %4"_s.arg(sources[partingSide(sides)].name,
+                                                      QString::number(step->step + 1),
+                                                      step->heading, step->text);
     return lines + undrawnLines(search);
 }
 
 QJsonObject jsonOf(const Sides &sides, const CounterSearch &search)
 {
-    QJsonObject object{{QStringLiteral("one"), sides.sources[0].name},
-                       {QStringLiteral("other"), sides.sources[1].name},
-                       {QStringLiteral("tried"), qint64(search.tried)},
-                       {QStringLiteral("compared"), qint64(search.compared)},
-                       {QStringLiteral("undrawn"), qint64(search.undrawn)},
-                       {QStringLiteral("found"), search.found.has_value()}};
+    QJsonObject object{
+        {u"one"_s, sides.sources[0].name},      {u"other"_s, sides.sources[1].name},
+        {u"tried"_s, qint64(search.tried)},     {u"compared"_s, qint64(search.compared)},
+        {u"undrawn"_s, qint64(search.undrawn)}, {u"found"_s, search.found.has_value()}};
     if (search.firstUndrawn)
-        object.insert(QStringLiteral("firstUndrawn"), undrawnJson(*search.firstUndrawn));
+        object.insert(u"firstUndrawn"_s, undrawnJson(*search.firstUndrawn));
     if (sides.hasProgram())
         addConfinement(object);
     if (!search.found)
         return object;
     const Scene &scene = search.found->scene;
-    object.insert(QStringLiteral("scene"), QJsonDocument::fromJson(writeScene(scene)).object());
+    object.insert(u"scene"_s, QJsonDocument::fromJson(writeScene(scene)).object());
     QJsonArray pixels;
     for (const DifferingPixel &pixel : differingPixelsOf(*search.found))
-        pixels.append(QJsonObject{{QStringLiteral("x"), qint64(pixel.x)},
-                                  {QStringLiteral("y"), qint64(pixel.y)},
-                                  {QStringLiteral("one"), colourText(pixel.one)},
-                                  {QStringLiteral("other"), colourText(pixel.other)}});
-    object.insert(QStringLiteral("pixels"), pixels);
+        pixels.append(QJsonObject{{u"x"_s, qint64(pixel.x)},
+                                  {u"y"_s, qint64(pixel.y)},
+                                  {u"one"_s, colourText(pixel.one)},
+                                  {u"other"_s, colourText(pixel.other)}});
+    object.insert(u"pixels"_s, pixels);
     if (const auto step = partingStepOf(sides, scene))
-        object.insert(QStringLiteral("parts"),
-                      QJsonObject{{QStringLiteral("step"), qint64(step->step + 1)},
-                                  {QStringLiteral("at"), step->heading},
-                                  {QStringLiteral("how"), step->text}});
+        object.insert(u"parts"_s,
+                      QJsonObject{{u"step"_s, qint64(step->step + 1)},
+                                  {u"at"_s, step->heading},
+                                  {u"how"_s, step->text}});
     return object;
 }
 
 /// Where the scene is to be written; checked before the search, which takes long.
 QString pathIn(const QString &output)
 {
-    refuseStandardOutput(output, QStringLiteral("a file"));
-    const auto paths
-        = outputPaths(output, {QStringLiteral("counterexample")}, QStringLiteral("json"));
+    refuseStandardOutput(output, u"a file"_s);
+    const auto paths = outputPaths(output, {u"counterexample"_s}, u"json"_s);
     refuseIf(refusalToWrite(paths.front()));
     const QFileInfo file(filePath(paths.front()));
     const QFileInfo folder(file.path());
     if (!file.exists() && !(folder.isDir() && folder.isWritable()))
-        refuse({QStringLiteral("-o ") + output,
-                QStringLiteral("the folder %1 takes no file").arg(folder.filePath()),
-                QStringLiteral("a file in a folder that is there and can be written to")});
+        refuse({u"-o "_s + output, u"the folder %1 takes no file"_s.arg(folder.filePath()),
+                u"a file in a folder that is there and can be written to"_s});
     return paths.front();
 }
 
@@ -155,20 +147,20 @@ QString pathIn(const QString &output)
 
 ExitCode counterExample(const Command &command, const QStringList &arguments)
 {
-    const QString outputOption = QStringLiteral("output");
+    const QString outputOption = u"output"_s;
     const QString what = sideMeaning();
-    CommandLine line(command, {{QStringLiteral("ONE"), what}, {QStringLiteral("OTHER"), what}});
-    addSeedOption(line, QStringLiteral("scenes"));
-    line.addOption({{QStringLiteral("o"), outputOption},
-                    QStringLiteral("Write the scene, too: JSON. A folder, DIR/, gets it as "
-                                   "counterexample.json."),
-                    QStringLiteral("file")});
+    CommandLine line(command, {{u"ONE"_s, what}, {u"OTHER"_s, what}});
+    addSeedOption(line, u"scenes"_s);
+    line.addOption(
+        {{u"o"_s, outputOption},
+         u"Write the scene, too: JSON. A folder, DIR/, gets it as counterexample.json."_s,
+         u"file"_s});
     line.addJsonOption();
     addProgramOptions(line);
     addSettingOptions(line);
     line.parse(arguments);
     const auto seed = chosenSeed(line);
-    const Sides sides = sidesOf(line, {QStringLiteral("ONE"), QStringLiteral("OTHER")});
+    const Sides sides = sidesOf(line, {u"ONE"_s, u"OTHER"_s});
     const QString path = line.isSet(outputOption) ? pathIn(line.value(outputOption)) : QString();
     const CounterSearch search = withProgress([&](const ProgressListener &listener) {
         return findCounterExample(sides.sources[0], sides.sources[1], sides.conventions, seed,
@@ -176,12 +168,11 @@ ExitCode counterExample(const Command &command, const QStringList &arguments)
     });
     const QStringList confinement = sides.hasProgram() ? confinementLines() : QStringList();
     if (search.compared == 0) {
-        sayLine(QStringLiteral("%1 and %2 have no picture of the same scene: of %3 that were asked "
-                               "for none was drawn by both")
-                    .arg(sides.sources[0].name, sides.sources[1].name,
-                         QString::number(search.undrawn)));
+        sayLine(u"%1 and %2 have no picture of the same scene: of %3 that were asked for none was "
+                "drawn by both"_s.arg(sides.sources[0].name, sides.sources[1].name,
+                                      QString::number(search.undrawn)));
         if (search.firstUndrawn)
-            sayLine(QStringLiteral("the first: ") + undrawnText(*search.firstUndrawn));
+            sayLine(u"the first: "_s + undrawnText(*search.firstUndrawn));
         for (const QString &each : confinement)
             sayLine(each);
         if (line.asksForJson())

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/cli/commandline.h"
 #include "app/cli/commands.h"
 #include "app/cli/console.h"
 #include "app/cli/files.h"
-#include "app/cli/options.h"
 #include "core/grade/diagnose/undecidable.h"
 #include "core/number/failure.h"
 #include "core/scan/choicenames.h"
@@ -39,13 +39,12 @@ std::optional<PartingPlace> partingPlaceOf(std::span<const Submission> submissio
 /// "unsorted-colours, but for 3 pixels that …", "flat-first (1 pixel is left)"
 QString titleOf(const DiagnosisCandidate &candidate)
 {
-    QString title = candidate.ids().join(QStringLiteral(" and "));
+    QString title = candidate.ids().join(u" and "_s);
     if (candidate.undecidable > 0)
-        title += QStringLiteral(", ") + undecidableText(candidate.undecidable);
+        title += u", "_s + undecidableText(candidate.undecidable);
     if (candidate.distance > 0)
-        title += QStringLiteral(" (%1 %2 left)")
-                     .arg(pixelsText(candidate.distance),
-                          candidate.distance == 1 ? QStringLiteral("is") : QStringLiteral("are"));
+        title += u" (%1 %2 left)"_s.arg(pixelsText(candidate.distance),
+                                        candidate.distance == 1 ? u"is"_s : u"are"_s);
     return title;
 }
 
@@ -66,8 +65,8 @@ QString synonymsText(std::span<const DiagnosisCandidate> others)
 {
     QStringList names;
     for (const DiagnosisCandidate &candidate : others)
-        names += candidate.ids().join(QStringLiteral(" and "));
-    return QStringLiteral("    the same pictures come of ") + names.join(QStringLiteral("; "));
+        names += candidate.ids().join(u" and "_s);
+    return u"    the same pictures come of "_s + names.join(u"; "_s);
 }
 
 } // namespace
@@ -75,22 +74,19 @@ QString synonymsText(std::span<const DiagnosisCandidate> others)
 QStringList diagnosisLines(const Diagnosis &diagnosis, std::span<const Submission> submissions)
 {
     if (diagnosis.verdict == DiagnosisVerdict::Right)
-        return {QStringLiteral("right: no pixel differs")};
+        return {u"right: no pixel differs"_s};
     const bool isWrong = diagnosis.verdict == DiagnosisVerdict::Wrong;
-    QString verdict
-        = QStringLiteral("%1: %2 %3")
-              .arg(nameOf(diagnosis.verdict), pixelsText(diagnosis.differing),
-                   diagnosis.differing == 1 ? QStringLiteral("differs") : QStringLiteral("differ"));
+    QString verdict = u"%1: %2 %3"_s.arg(nameOf(diagnosis.verdict), pixelsText(diagnosis.differing),
+                                         diagnosis.differing == 1 ? u"differs"_s : u"differ"_s);
     if (isWrong && diagnosis.undecidable > 0)
-        verdict += QStringLiteral(", %1 of them undecidable").arg(diagnosis.undecidable);
+        verdict += u", %1 of them undecidable"_s.arg(diagnosis.undecidable);
     QStringList lines = {verdict};
     if (diagnosis.failure)
-        lines += QStringLiteral("the search for defects ended in an error: %1")
-                     .arg(*diagnosis.failure);
+        lines += u"the search for defects ended in an error: %1"_s.arg(*diagnosis.failure);
     else if (diagnosis.candidates.empty() && isWrong)
-        lines += QStringLiteral("no known defect explains it");
+        lines += u"no known defect explains it"_s;
     else if (!diagnosis.isExplained() && isWrong)
-        lines += QStringLiteral("no known defect explains it; the nearest ones:");
+        lines += u"no known defect explains it; the nearest ones:"_s;
     const std::size_t synonyms = synonymsIn(diagnosis);
     for (std::size_t i = 0; i < diagnosis.candidates.size(); ++i) {
         const DiagnosisCandidate &candidate = diagnosis.candidates[i];
@@ -100,16 +96,15 @@ QStringList diagnosisLines(const Diagnosis &diagnosis, std::span<const Submissio
         if (!isRelevant(candidate.distance, diagnosis.differing))
             continue;
         for (const QString &sentence : candidate.sentences(&Defect::forAssistant))
-            lines += QStringLiteral("    ") + sentence;
+            lines += u"    "_s + sentence;
         for (const QString &sentence : candidate.sentences(&Defect::forStudent))
-            lines += QStringLiteral("    to the student: ") + sentence;
+            lines += u"    to the student: "_s + sentence;
         if (const auto place = partingPlaceOf(submissions, candidate)) {
-            const QString where = submissions.size() > 1
-                ? QStringLiteral("scene %1, ").arg(place->scene)
-                : QString();
-            lines += QStringLiteral("    departs from the right run at %1step %2, %3: %4")
-                         .arg(where, QString::number(place->step.step + 1), place->step.heading,
-                              place->step.text);
+            const QString where
+                = submissions.size() > 1 ? u"scene %1, "_s.arg(place->scene) : QString();
+            lines += u"    departs from the right run at %1step %2, %3: %4"_s.arg(
+                where, QString::number(place->step.step + 1), place->step.heading,
+                place->step.text);
         }
         if (i == 0 && synonyms > 1)
             lines += synonymsText(std::span(diagnosis.candidates).subspan(1, synonyms - 1));
@@ -122,33 +117,32 @@ QJsonObject diagnosisJson(const Diagnosis &diagnosis, std::span<const Submission
     QJsonArray candidates;
     for (const DiagnosisCandidate &candidate : diagnosis.candidates) {
         const auto array = &QJsonArray::fromStringList;
-        QJsonObject object{
-            {QStringLiteral("defects"), array(candidate.ids())},
-            {QStringLiteral("distance"), qint64(candidate.distance)},
-            {QStringLiteral("undecidable"), qint64(candidate.undecidable)},
-            {QStringLiteral("student"), array(candidate.sentences(&Defect::forStudent))},
-            {QStringLiteral("assistant"), array(candidate.sentences(&Defect::forAssistant))}};
+        QJsonObject object{{u"defects"_s, array(candidate.ids())},
+                           {u"distance"_s, qint64(candidate.distance)},
+                           {u"undecidable"_s, qint64(candidate.undecidable)},
+                           {u"student"_s, array(candidate.sentences(&Defect::forStudent))},
+                           {u"assistant"_s, array(candidate.sentences(&Defect::forAssistant))}};
         if (candidate.arithmetic)
-            object.insert(QStringLiteral("arithmetic"), nameText(nameOf(*candidate.arithmetic)));
+            object.insert(u"arithmetic"_s, nameText(nameOf(*candidate.arithmetic)));
         if (const auto place = partingPlaceOf(submissions, candidate))
-            object.insert(QStringLiteral("parts"),
-                          QJsonObject{{QStringLiteral("scene"), qint64(place->scene)},
-                                      {QStringLiteral("step"), qint64(place->step.step + 1)},
-                                      {QStringLiteral("at"), place->step.heading},
-                                      {QStringLiteral("how"), place->step.text}});
+            object.insert(u"parts"_s,
+                          QJsonObject{{u"scene"_s, qint64(place->scene)},
+                                      {u"step"_s, qint64(place->step.step + 1)},
+                                      {u"at"_s, place->step.heading},
+                                      {u"how"_s, place->step.text}});
         candidates.append(object);
     }
     const bool isTransparent = std::ranges::any_of(
         submissions, [](const Submission &submission) { return submission.picture.isTransparent; });
-    QJsonObject object{{QStringLiteral("verdict"), nameOf(diagnosis.verdict)},
-                       {QStringLiteral("transparencyIgnored"), isTransparent},
-                       {QStringLiteral("differing"), qint64(diagnosis.differing)},
-                       {QStringLiteral("undecidable"), qint64(diagnosis.undecidable)},
-                       {QStringLiteral("candidates"), candidates},
-                       {QStringLiteral("picturesDrawn"), qint64(diagnosis.work.pictures)},
-                       {QStringLiteral("pixelsDrawn"), qint64(diagnosis.work.pixels)}};
+    QJsonObject object{{u"verdict"_s, nameOf(diagnosis.verdict)},
+                       {u"transparencyIgnored"_s, isTransparent},
+                       {u"differing"_s, qint64(diagnosis.differing)},
+                       {u"undecidable"_s, qint64(diagnosis.undecidable)},
+                       {u"candidates"_s, candidates},
+                       {u"picturesDrawn"_s, qint64(diagnosis.work.pictures)},
+                       {u"pixelsDrawn"_s, qint64(diagnosis.work.pixels)}};
     if (diagnosis.failure)
-        object.insert(QStringLiteral("searchError"), *diagnosis.failure);
+        object.insert(u"searchError"_s, *diagnosis.failure);
     return object;
 }
 
@@ -170,15 +164,15 @@ Submission readSubmission(const CommandLine &line, const QString &scenePath,
 
 ExitCode diagnose(const Command &command, const QStringList &arguments)
 {
-    const QString sceneOption = QStringLiteral("scene");
-    CommandLine line(command,
-                     {{QStringLiteral("PICTURE"),
-                       QStringLiteral("what a program drew of each scene, in their order: PNG, "
-                                      "PPM, BMP or a raster of # and ."),
-                       Positional::Presence::Several}});
+    const QString sceneOption = u"scene"_s;
+    CommandLine line(
+        command,
+        {{u"PICTURE"_s,
+          u"what a program drew of each scene, in their order: PNG, PPM, BMP or a raster of # and "
+          "."_s,
+          Positional::Presence::Several}});
     line.addRepeatedOption(
-        {sceneOption, QStringLiteral("A scene that was to be drawn; give one for each picture."),
-         QStringLiteral("file")});
+        {sceneOption, u"A scene that was to be drawn; give one for each picture."_s, u"file"_s});
     line.addJsonOption();
     addMarginOptions(line);
     addSettingOptions(line);
@@ -187,9 +181,8 @@ ExitCode diagnose(const Command &command, const QStringList &arguments)
     const QStringList scenes = line.values(sceneOption);
     const QStringList pictures = line.arguments();
     if (scenes.size() != pictures.size())
-        refuse(QStringLiteral("--scene is given %1 times, PICTURE %2 times; expected "
-                              "--scene FILE once for each picture, in their order")
-                   .arg(scenes.size())
+        refuse(u"--scene is given %1 times, PICTURE %2 times; expected --scene FILE once for each "
+               "picture, in their order"_s.arg(scenes.size())
                    .arg(pictures.size()));
     std::vector<Submission> submissions;
     for (qsizetype i = 0; i < scenes.size(); ++i) {
@@ -200,7 +193,7 @@ ExitCode diagnose(const Command &command, const QStringList &arguments)
         refuseOtherSizes({pictures[i], QSize(picture.width, picture.height)},
                          {scenes[i], QSize(frame.width, frame.height)});
         if (picture.isTransparent)
-            sayLine(pictures[i] + QStringLiteral(": ") + transparencyText());
+            sayLine(pictures[i] + u": "_s + transparencyText());
         submissions.push_back(std::move(submission));
     }
     const auto diagnosis = withProgress([&](const ProgressListener &listener) {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/cli/commandline.h"
 #include "app/cli/commands.h"
 #include "app/cli/files.h"
-#include "app/cli/options.h"
 #include "core/grade/diagnose/diagnosis.h"
 #include "core/grade/diagnose/undecidable.h"
 #include "core/grade/pictures/drawntwice.h"
@@ -31,7 +31,7 @@ QImage markedPicture(const PictureDiff &diff, const Picture &expected)
 
 QString wordOf(Difference verdict)
 {
-    return verdict == Difference::None ? QStringLiteral("same") : nameOf(verdict);
+    return verdict == Difference::None ? u"same"_s : nameOf(verdict);
 }
 
 } // namespace
@@ -41,38 +41,35 @@ QStringList diffLines(const PictureDiff &diff)
     QStringList counts;
     for (const Difference verdict : allDifferences) {
         if (verdict == Difference::None || diff.count(verdict) > 0)
-            counts.append(QStringLiteral("%1 %2").arg(diff.count(verdict)).arg(wordOf(verdict)));
+            counts.append(u"%1 %2"_s.arg(diff.count(verdict)).arg(wordOf(verdict)));
     }
-    QString text = QStringLiteral("%1 × %2 pixels: %3")
-                       .arg(diff.width)
-                       .arg(diff.height)
-                       .arg(counts.join(QStringLiteral(", ")));
+    QString text
+        = u"%1 × %2 pixels: %3"_s.arg(diff.width).arg(diff.height).arg(counts.join(u", "_s));
     if (diff.largestError > 0)
-        text += QStringLiteral("; largest channel difference %1").arg(diff.largestError);
+        text += u"; largest channel difference %1"_s.arg(diff.largestError);
     QStringList lines = {text};
     constexpr qsizetype mostCauses = 3;
     for (const PictureCause &cause : diff.causes) {
         if (lines.size() > mostCauses)
             break;
-        lines.append(cause.left == 0 ? QStringLiteral("explained wholly by: %1").arg(cause.name)
-                                     : QStringLiteral("explained but for %1 by: %2")
-                                           .arg(pixelsText(cause.left), cause.name));
+        lines.append(cause.left == 0 ? u"explained wholly by: %1"_s.arg(cause.name)
+                                     : u"explained but for %1 by: %2"_s.arg(pixelsText(cause.left),
+                                                                            cause.name));
     }
     return lines;
 }
 
 QJsonObject diffJson(const PictureDiff &diff)
 {
-    QJsonObject object{{QStringLiteral("width"), diff.width},
-                       {QStringLiteral("height"), diff.height},
-                       {QStringLiteral("largestError"), diff.largestError}};
+    QJsonObject object{{u"width"_s, diff.width},
+                       {u"height"_s, diff.height},
+                       {u"largestError"_s, diff.largestError}};
     for (const Difference verdict : allDifferences)
         object.insert(wordOf(verdict), qint64(diff.count(verdict)));
     QJsonArray causes;
     for (const PictureCause &cause : diff.causes)
-        causes.append(QJsonObject{{QStringLiteral("cause"), cause.name},
-                                  {QStringLiteral("left"), qint64(cause.left)}});
-    object.insert(QStringLiteral("causes"), causes);
+        causes.append(QJsonObject{{u"cause"_s, cause.name}, {u"left"_s, qint64(cause.left)}});
+    object.insert(u"causes"_s, causes);
     return object;
 }
 
@@ -88,11 +85,10 @@ struct Side {
 Side readSide(const QString &path, const Margin &margin)
 {
     const QByteArray content = readInput(path, largestPictureFile);
-    const QString formats
-        = pictureFormatsText() + QStringLiteral(", or a scene as a JSON object: {…}");
+    const QString formats = pictureFormatsText() + u", or a scene as a JSON object: {…}"_s;
     const QByteArray text = withoutByteOrderMark(content).trimmed();
     if (text.startsWith('['))
-        refuse({path, QStringLiteral("a list in JSON is no scene"), formats});
+        refuse({path, u"a list in JSON is no scene"_s, formats});
     if (!text.startsWith('{'))
         return {required(parsePicture(content, path, formats)), std::nullopt};
     const Scene scene = sceneIn(content, path).scene;
@@ -124,13 +120,11 @@ std::int64_t drawnTwiceIn(const Side &expected, const Side &found)
 /// The background: the option's, else the scene's; a raster needs none.
 Colour backgroundFor(const CommandLine &line, const Side &expected, const Side &found)
 {
-    const QString option = QStringLiteral("background");
+    const QString option = u"background"_s;
     if (line.isSet(option)) {
         if (const auto colour = parseColour(line.value(option)))
             return colour->colour;
-        refuse({QStringLiteral("--background"),
-                QStringLiteral("“%1” is no colour").arg(line.value(option)),
-                QStringLiteral("#rrggbb")});
+        refuse({u"--background"_s, u"“%1” is no colour"_s.arg(line.value(option)), u"#rrggbb"_s});
     }
     for (const Side *side : {&expected, &found}) {
         if (side->scene)
@@ -143,34 +137,33 @@ Colour backgroundFor(const CommandLine &line, const Side &expected, const Side &
 
 ExitCode diff(const Command &command, const QStringList &arguments)
 {
-    const QString markedOption = QStringLiteral("output");
-    const QString rasterOption = QStringLiteral("ascii");
-    const QString what
-        = QStringLiteral("a picture (PNG, PPM, BMP), a raster of # and ., or a scene");
-    CommandLine line(command,
-                     {{QStringLiteral("EXPECTED"), what}, {QStringLiteral("FOUND"), what}});
-    line.addOption({{QStringLiteral("o"), markedOption},
-                    QStringLiteral("Write a picture, too: what was expected, faint, with the "
-                                   "pixels that differ in the colours of the manual."),
-                    QStringLiteral("file")});
-    line.addOption({rasterOption,
-                    QStringLiteral("Print a raster, too: # the same, ? missing, ! extra, c another "
-                                   "colour, = undecidable.")});
-    line.addOption({QStringLiteral("background"),
-                    QStringLiteral("What is not drawn has this colour; if left out, the scene's, "
-                                   "else that of most corners of the picture."),
-                    QStringLiteral("#rrggbb")});
+    const QString markedOption = u"output"_s;
+    const QString rasterOption = u"ascii"_s;
+    const QString what = u"a picture (PNG, PPM, BMP), a raster of # and ., or a scene"_s;
+    CommandLine line(command, {{u"EXPECTED"_s, what}, {u"FOUND"_s, what}});
+    line.addOption(
+        {{u"o"_s, markedOption},
+         u"Write a picture, too: what was expected, faint, with the pixels that differ in the "
+         "colours of the manual."_s,
+         u"file"_s});
+    line.addOption(
+        {rasterOption,
+         u"Print a raster, too: # the same, ? missing, ! extra, c another colour, = undecidable."_s});
+    line.addOption(
+        {u"background"_s,
+         u"What is not drawn has this colour; if left out, the scene's, else that of most corners "
+         "of the picture."_s,
+         u"#rrggbb"_s});
     addMarginOptions(line);
     line.addJsonOption();
     line.parse(arguments);
     const auto format = pictureFormatOf(line, markedOption);
-    refuseStandardOutput(line.value(markedOption), QStringLiteral("a file"));
+    refuseStandardOutput(line.value(markedOption), u"a file"_s);
     if (line.isSet(rasterOption) && line.asksForJson())
-        refuse(QStringLiteral("--ascii and --json: a raster is no JSON; expected one "
-                              "of them"));
+        refuse(u"--ascii and --json: a raster is no JSON; expected one of them"_s);
     const Margin margin = chosenMargin(line);
-    if (line.argument(0) == QStringLiteral("-") && line.argument(1) == QStringLiteral("-"))
-        refuse(QStringLiteral("standard input can be only one of the two"));
+    if (line.argument(0) == u"-"_s && line.argument(1) == u"-"_s)
+        refuse(u"standard input can be only one of the two"_s);
     Side expected = readSide(line.argument(0), margin);
     Side found = readSide(line.argument(1), margin);
     if (line.isSet(markedOption))
@@ -186,23 +179,23 @@ ExitCode diff(const Command &command, const QStringList &arguments)
     for (const auto &[path, side] :
          {std::pair(line.argument(0), &expected), std::pair(line.argument(1), &found)}) {
         if (side->picture.isTransparent)
-            sayLine(path + QStringLiteral(": ") + transparencyText());
+            sayLine(path + u": "_s + transparencyText());
     }
     const PictureDiff difference
         = differenceOf(expected.picture, found.picture, undecidableOf(expected, found, margin));
     const std::int64_t twice = drawnTwiceIn(expected, found);
     if (line.asksForJson()) {
         QJsonObject object = diffJson(difference);
-        object.insert(QStringLiteral("drawnTwice"), qint64(twice));
-        object.insert(QStringLiteral("transparencyIgnored"),
+        object.insert(u"drawnTwice"_s, qint64(twice));
+        object.insert(u"transparencyIgnored"_s,
                       expected.picture.isTransparent || found.picture.isTransparent);
         printJson(object);
     } else {
         printLines(diffLines(difference));
         if (twice > 0)
-            printLine(QStringLiteral("drawn twice: %1 pixels are blended once more than the fill "
-                                     "rule says, as on edges that two triangles share")
-                          .arg(twice));
+            printLine(
+                u"drawn twice: %1 pixels are blended once more than the fill rule says, as on "
+                "edges that two triangles share"_s.arg(twice));
         if (line.isSet(rasterOption))
             printLines(rasterOf(difference, expected.picture).chopped(1).split(u'\n'));
     }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/cli/commandline.h"
 #include "app/cli/console.h"
-#include "app/cli/options.h"
 #include "core/compare/contest.h"
 #include "core/scan/choicenames.h"
 #include "core/scene/scenefile.h"
@@ -16,8 +16,8 @@ namespace pixelplumb::cli {
 
 namespace {
 
-const QString methodsPlace = QStringLiteral("--methods");
-const QString truthWord = QStringLiteral("truth");
+const QString methodsPlace = u"--methods"_s;
+const QString truthWord = u"truth"_s;
 
 QStringList contenderNames() { return QStringList{truthWord} + methodIds(); }
 
@@ -30,7 +30,7 @@ void apply(const QString &place, const QString &word, Contender &contender)
         return;
     }
     if (contender.isTruth())
-        refuseUnknown(place, QStringLiteral("fill rule of the truth"), word, namesOf(allFillRules));
+        refuseUnknown(place, u"fill rule of the truth"_s, word, namesOf(allFillRules));
     if (const auto arithmetic = arithmeticNamed(name)) {
         contender.settings.arithmetic = *arithmetic;
         return;
@@ -39,7 +39,7 @@ void apply(const QString &place, const QString &word, Contender &contender)
         contender.settings.variants = contender.settings.variants.with(*variant);
         return;
     }
-    refuseUnknown(place, QStringLiteral("arithmetic, fill rule or variant"), word,
+    refuseUnknown(place, u"arithmetic, fill rule or variant"_s, word,
                   namesOf(allArithmetics) + namesOf(allFillRules) + namesOf(allVariants));
 }
 
@@ -52,7 +52,7 @@ Contender contenderNamed(const QString &place, const QString &entry, const ScanS
     if (words.front() != truthWord) {
         const Method *method = methodNamed(words.front());
         if (!method)
-            refuseUnknown(place, QStringLiteral("method"), words.front(), contenderNames());
+            refuseUnknown(place, u"method"_s, words.front(), contenderNames());
         contender = contenderFor(*method, ofScene);
     }
     for (const QString &word : words.sliced(1))
@@ -70,12 +70,8 @@ std::vector<Contender> contendersNamed(const QString &list, const ScanSettings &
     const QStringList entries = list.split(u',');
     const auto count = std::size_t(entries.size());
     if (count < fewestContenders || count > mostContenders)
-        refuse({methodsPlace,
-                count == 1 ? QStringLiteral("1 contender")
-                           : QStringLiteral("%1 contenders").arg(count),
-                QStringLiteral("%1 to %2, separated by commas")
-                    .arg(fewestContenders)
-                    .arg(mostContenders)});
+        refuse({methodsPlace, count == 1 ? u"1 contender"_s : u"%1 contenders"_s.arg(count),
+                u"%1 to %2, separated by commas"_s.arg(fewestContenders).arg(mostContenders)});
     std::vector<Contender> contenders;
     for (const QString &entry : entries)
         contenders.push_back(contenderNamed(methodsPlace, entry, ofScene));
@@ -97,9 +93,9 @@ StudentProgram programNamed(const QString &place, const QString &word)
 {
     const QStringList command = QProcess::splitCommand(word.sliced(programPrefix.size()));
     if (command.isEmpty())
-        refuse({place, QStringLiteral("“%1” names no program").arg(word),
-                QStringLiteral("“program:COMMAND”: the program and its arguments, such "
-                               "as “program:python3 scan.py”")});
+        refuse({place, u"“%1” names no program"_s.arg(word),
+                u"“program:COMMAND”: the program and its arguments, such as “program:python3 "
+                "scan.py”"_s});
     return required(studentProgramOf(command));
 }
 
@@ -109,7 +105,7 @@ QString drawnText(const Method &method)
     QStringList kinds;
     for (const PrimitiveKind kind : method.kinds)
         kinds += nameOf(kind) + u's';
-    return kinds.join(QStringLiteral(" and "));
+    return kinds.join(u" and "_s);
 }
 
 /// The kind of the primitives in random scenes.
@@ -122,7 +118,7 @@ QString placeText(const LatticePoint &place)
 {
     const auto number
         = [](Lattice coordinate) { return toText(Quantity::rational(coordinate, unitsPerPixel)); };
-    return withMinus(QStringLiteral("(%1, %2)").arg(number(place.x), number(place.y)));
+    return withMinus(u"(%1, %2)"_s.arg(number(place.x), number(place.y)));
 }
 
 /// Refuses a method of whose primitives there are no random scenes.
@@ -131,9 +127,9 @@ void refuseToSearch(const Method &method, const QString &place)
     if (method.draws(PrimitiveKind::Triangle) || method.draws(PrimitiveKind::Line))
         return;
     refuse({place,
-            QStringLiteral("method “%1” draws %2, of which there are no random scenes")
-                .arg(method.id, drawnText(method)),
-            QStringLiteral("a method that draws triangles or lines")});
+            u"method “%1” draws %2, of which there are no random scenes"_s.arg(method.id,
+                                                                               drawnText(method)),
+            u"a method that draws triangles or lines"_s});
 }
 
 } // namespace
@@ -147,10 +143,10 @@ QStringList primitiveLines(const Scene &scene)
         QStringList places;
         for (const Vertex &vertex : vertices)
             places += placeText(vertex.position) + u' ' + colourText(vertex.colour);
-        lines += kind + u' ' + places.join(QStringLiteral(", "));
+        lines += kind + u' ' + places.join(u", "_s);
     };
     for (const Triangle &triangle : scene.triangles)
-        add(QStringLiteral("triangle"), triangle.vertices);
+        add(u"triangle"_s, triangle.vertices);
     for (const Shape &shape : scene.shapes)
         add(nameOf(shape.kind), shape.vertices);
     return lines;
@@ -158,23 +154,21 @@ QStringList primitiveLines(const Scene &scene)
 
 QString undrawnText(const UndrawnScene &undrawn)
 {
-    return QStringLiteral("%1: %2: %3")
-        .arg(primitiveLines(undrawn.scene).join(QStringLiteral("; ")), undrawn.source,
-             undrawn.why.message());
+    return u"%1: %2: %3"_s.arg(primitiveLines(undrawn.scene).join(u"; "_s), undrawn.source,
+                               undrawn.why.message());
 }
 
 QJsonObject undrawnJson(const UndrawnScene &undrawn)
 {
-    return {{QStringLiteral("scene"), QJsonDocument::fromJson(writeScene(undrawn.scene)).object()},
-            {QStringLiteral("source"), undrawn.source},
-            {QStringLiteral("why"), undrawn.why.message()}};
+    return {{u"scene"_s, QJsonDocument::fromJson(writeScene(undrawn.scene)).object()},
+            {u"source"_s, undrawn.source},
+            {u"why"_s, undrawn.why.message()}};
 }
 
 QString sideMeaning()
 {
-    return QStringLiteral("method[:arithmetic[:fill-rule[:variant...]]], truth[:fill-rule], a "
-                          "defect's name, as diagnose gives it, or “program:COMMAND”, as try "
-                          "runs it");
+    return u"method[:arithmetic[:fill-rule[:variant...]]], truth[:fill-rule], a defect's name, as "
+           "diagnose gives it, or “program:COMMAND”, as try runs it"_s;
 }
 
 Sides sidesOf(const CommandLine &line, const QStringList &places)
@@ -185,7 +179,7 @@ Sides sidesOf(const CommandLine &line, const QStringList &places)
         line.arguments(), [](const QString &word) { return word.startsWith(programPrefix); });
     if (!hasProgram)
         refuseProgramOptions(line);
-    Scene conventions = underOptions(line, {}, QStringLiteral("--method"));
+    Scene conventions = underOptions(line, {}, u"--method"_s);
     std::vector<std::optional<Contender>> contenders{std::size_t(count)};
     for (qsizetype i = 0; i < count; ++i) {
         const QString word = line.argument(i);
@@ -213,10 +207,10 @@ Sides sidesOf(const CommandLine &line, const QStringList &places)
         if (contender && !contender->isTruth()
             && !contender->method->draws(searchedKind(*method.method)))
             refuse({places[i],
-                    QStringLiteral("“%1” draws %2, “%3” draws %4")
-                        .arg(contender->method->id, drawnText(*contender->method),
-                             method.method->id, drawnText(*method.method)),
-                    QStringLiteral("methods that draw the same primitives")});
+                    u"“%1” draws %2, “%3” draws %4"_s.arg(
+                        contender->method->id, drawnText(*contender->method), method.method->id,
+                        drawnText(*method.method)),
+                    u"methods that draw the same primitives"_s});
     }
     for (qsizetype i = 0; i < count; ++i) {
         if (contenders[std::size_t(i)]) {
@@ -233,11 +227,10 @@ Sides sidesOf(const CommandLine &line, const QStringList &places)
         for (const Defect &defect : defectsUnder(sides.conventions))
             ids += defect.id;
         if (!ids.contains(word))
-            refuseUnknownAmongMany(places[i], QStringLiteral("method, truth or defect"), word,
-                                   ids + methodIds(),
-                                   QStringLiteral("a method, truth, program:COMMAND or a defect "
-                                                  "that “methods %1” names")
-                                       .arg(method.method->id));
+            refuseUnknownAmongMany(
+                places[i], u"method, truth or defect"_s, word, ids + methodIds(),
+                u"a method, truth, program:COMMAND or a defect that “methods %1” names"_s.arg(
+                    method.method->id));
         sides.sources.push_back(sourceOf(word, method));
     }
     return sides;

@@ -33,11 +33,10 @@ bool isNullDevice(const struct stat &file)
 QByteArray readInput(const QString &path, qint64 most)
 {
     if (path.isEmpty())
-        refuse({QStringLiteral("“”"), QStringLiteral("names no file"),
-                QStringLiteral("the name of one, or - for standard input")});
-    if (path != QStringLiteral("-"))
+        refuse({u"“”"_s, u"names no file"_s, u"the name of one, or - for standard input"_s});
+    if (path != u"-"_s)
         return required(readFile(path, most));
-    const QString place = QStringLiteral("standard input");
+    const QString place = u"standard input"_s;
     refuseIf(noteStandardInput());
     QFile input;
     if (!input.open(stdin, QIODevice::ReadOnly))
@@ -47,12 +46,12 @@ QByteArray readInput(const QString &path, qint64 most)
 
 QString folderOf(const QString &path)
 {
-    return path == QStringLiteral("-") ? QString() : QFileInfo(filePath(path)).absolutePath();
+    return path == u"-"_s ? QString() : QFileInfo(filePath(path)).absolutePath();
 }
 
 bool isStandardOutput(const QString &path)
 {
-    if (path == QStringLiteral("-"))
+    if (path == u"-"_s)
         return true;
     struct stat named = {};
     struct stat printed = {};
@@ -93,14 +92,13 @@ InputError Output::error(const QString &otherwise) const
 {
     if (m_file)
         return m_file->error(otherwise);
-    return writingError(QStringLiteral("standard output"), m_standardOutput, otherwise);
+    return writingError(u"standard output"_s, m_standardOutput, otherwise);
 }
 
 void refuseStandardOutput(const QString &path, const QString &expected)
 {
     if (isStandardOutput(path))
-        refuse({QStringLiteral("-o ") + path, QStringLiteral("standard output has the report"),
-                expected});
+        refuse({u"-o "_s + path, u"standard output has the report"_s, expected});
 }
 
 QStringList outputPaths(const QString &output, const QStringList &inputs, const QString &suffix)
@@ -111,26 +109,22 @@ QStringList outputPaths(const QString &output, const QStringList &inputs, const 
     if (!isFolder && inputs.size() == 1)
         return QStringList(output);
     if (isPrinted)
-        refuse({QStringLiteral("%1 scenes").arg(inputs.size()),
-                QStringLiteral("standard output is one"),
-                QStringLiteral("a folder to write to, -o DIR/")});
+        refuse({u"%1 scenes"_s.arg(inputs.size()), u"standard output is one"_s,
+                u"a folder to write to, -o DIR/"_s});
     if (!isFolder)
-        refuse({QStringLiteral("-o ") + output,
-                QStringLiteral("is one file for %1 scenes").arg(inputs.size()),
-                QStringLiteral("a folder, such as %1/").arg(QFileInfo(output).baseName())});
+        refuse({u"-o "_s + output, u"is one file for %1 scenes"_s.arg(inputs.size()),
+                u"a folder, such as %1/"_s.arg(QFileInfo(output).baseName())});
     QStringList paths;
     for (const QString &input : inputs) {
-        if (input == QStringLiteral("-"))
-            refuse({QStringLiteral("-o ") + output,
-                    QStringLiteral("standard input has no name in a folder"),
-                    QStringLiteral("a scene file, or a file to write to")});
+        if (input == u"-"_s)
+            refuse({u"-o "_s + output, u"standard input has no name in a folder"_s,
+                    u"a scene file, or a file to write to"_s});
         const QString path
             = QDir(filePath(output)).filePath(QFileInfo(input).completeBaseName() + u'.') + suffix;
         if (const qsizetype other = paths.indexOf(path); other >= 0)
             refuse({input,
-                    QStringLiteral("its output would be %2, and so would that of %1")
-                        .arg(inputs[other], path),
-                    QStringLiteral("scenes of different names")});
+                    u"its output would be %2, and so would that of %1"_s.arg(inputs[other], path),
+                    u"scenes of different names"_s});
         paths.append(path);
     }
     // Checked last: no folder is made for a refused path.
@@ -147,42 +141,39 @@ void refuseOtherSizes(const SizedInput &one, const SizedInput &other)
 {
     if (one.size == other.size)
         return;
-    sayLine(
-        QStringLiteral("%1 has %2 × %3 pixels%7, %4 has %5 × %6%8")
-            .arg(one.path, QString::number(one.size.width()), QString::number(one.size.height()),
-                 other.path, QString::number(other.size.width()),
-                 QString::number(other.size.height()), sizeHint(one.size, other.size),
-                 one.size == other.size.transposed() ? QString() : sizeHint(other.size, one.size)));
+    sayLine(u"%1 has %2 × %3 pixels%7, %4 has %5 × %6%8"_s.arg(
+        one.path, QString::number(one.size.width()), QString::number(one.size.height()), other.path,
+        QString::number(other.size.width()), QString::number(other.size.height()),
+        sizeHint(one.size, other.size),
+        one.size == other.size.transposed() ? QString() : sizeHint(other.size, one.size)));
     throw Ended{ExitCode::SizesDiffer};
 }
 
 const QStringList &pictureFormats()
 {
-    static const QStringList formats
-        = {QStringLiteral("png"), QStringLiteral("bmp"), QStringLiteral("ppm")};
+    static const QStringList formats = {u"png"_s, u"bmp"_s, u"ppm"_s};
     return formats;
 }
 
 QString pictureFormatOf(const QString &option, const QString &path)
 {
     const QFileInfo file(filePath(path));
-    const bool isStream = path == QStringLiteral("-") || path.startsWith(QStringLiteral("/dev/"))
+    const bool isStream = path == u"-"_s || path.startsWith(u"/dev/"_s)
         || (file.exists() && !file.isFile() && !file.isDir());
     QString format = file.suffix().toLower();
     if (pictureFormats().contains(format))
         return format;
     if (isStream)
         return pictureFormats().front();
-    refuse(
-        {option + u' ' + path,
-         format.isEmpty() ? QStringLiteral("the name does not say which kind of picture")
-                          : QStringLiteral("unknown kind of picture"),
-         QStringLiteral("a name that ends in .") + pictureFormats().join(QStringLiteral(", ."))});
+    refuse({option + u' ' + path,
+            format.isEmpty() ? u"the name does not say which kind of picture"_s
+                             : u"unknown kind of picture"_s,
+            u"a name that ends in ."_s + pictureFormats().join(u", ."_s)});
 }
 
 QString pictureFormatOf(const CommandLine &line, const QString &option)
 {
-    return line.isSet(option) ? pictureFormatOf(QStringLiteral("-o"), line.value(option))
+    return line.isSet(option) ? pictureFormatOf(u"-o"_s, line.value(option))
                               : pictureFormats().front();
 }
 
@@ -203,12 +194,11 @@ QImage enlarged(const QImage &picture, std::int64_t scale)
 {
     const std::int64_t pixels = picture.width() * scale * picture.height() * scale;
     if (pixels > largestFrameArea)
-        refuse({QStringLiteral("--scale"),
-                QStringLiteral("%1 × %2 pixels, %3 times as many each way")
-                    .arg(picture.width())
+        refuse({u"--scale"_s,
+                u"%1 × %2 pixels, %3 times as many each way"_s.arg(picture.width())
                     .arg(picture.height())
                     .arg(scale),
-                QStringLiteral("at most %1 pixels").arg(largestFrameArea)});
+                u"at most %1 pixels"_s.arg(largestFrameArea)});
     return scale == 1 ? picture : picture.scaled(picture.size() * int(scale));
 }
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/cli/commandline.h"
 #include "app/cli/commands.h"
-#include "app/cli/options.h"
 #include "core/grade/hunt/allowance.h"
 #include "core/grade/hunt/invariants.h"
 #include "core/methods/method.h"
@@ -37,20 +37,19 @@ QStringList invariantLines(const Findings &findings)
         const auto found
             = std::ranges::find(findings.broken, invariant, &BrokenInvariant::invariant);
         const bool holds = found == findings.broken.end();
-        lines += QStringLiteral("%1  %2: %3")
-                     .arg(holds ? QStringLiteral("holds ") : QStringLiteral("broken"),
-                          nameOf(invariant), sentenceOf(invariant));
+        lines += u"%1  %2: %3"_s.arg(holds ? u"holds "_s : u"broken"_s, nameOf(invariant),
+                                     sentenceOf(invariant));
         if (!holds)
-            lines += QStringLiteral("        ")
+            lines += u"        "_s
                 + QString::fromUtf8(QJsonDocument(QJsonDocument::fromJson(writeScene(found->scene))
-                                                      .object()[QStringLiteral("primitives")]
+                                                      .object()[u"primitives"_s]
                                                       .toArray())
                                         .toJson(QJsonDocument::Compact));
         if (!holds && findings.mayBeRounding(invariant))
-            lines += QStringLiteral(
-                         "        only on samples that lie on an edge or that the rounding of %1 "
-                         "leaves open: another fill rule or rounding does it, too")
-                         .arg(nameText(nameOf(findings.tolerance)));
+            lines
+                += u"        only on samples that lie on an edge or that the rounding of %1 leaves "
+                   "open: another fill rule or rounding does it, too"_s.arg(
+                       nameText(nameOf(findings.tolerance)));
     }
     return lines;
 }
@@ -59,15 +58,15 @@ QJsonObject invariantsJson(const InvariantReport &report, const Findings &findin
 {
     QJsonArray array;
     for (const BrokenInvariant &each : findings.broken)
-        array.append(QJsonObject{
-            {QStringLiteral("invariant"), nameOf(each.invariant)},
-            {QStringLiteral("mayBeRounding"), findings.mayBeRounding(each.invariant)},
-            {QStringLiteral("scene"), QJsonDocument::fromJson(writeScene(each.scene)).object()}});
-    QJsonObject object{{QStringLiteral("checked"), qint64(report.checked)},
-                       {QStringLiteral("undrawn"), qint64(report.undrawn)},
-                       {QStringLiteral("broken"), array}};
+        array.append(
+            QJsonObject{{u"invariant"_s, nameOf(each.invariant)},
+                        {u"mayBeRounding"_s, findings.mayBeRounding(each.invariant)},
+                        {u"scene"_s, QJsonDocument::fromJson(writeScene(each.scene)).object()}});
+    QJsonObject object{{u"checked"_s, qint64(report.checked)},
+                       {u"undrawn"_s, qint64(report.undrawn)},
+                       {u"broken"_s, array}};
     if (report.firstUndrawn)
-        object.insert(QStringLiteral("firstUndrawn"), undrawnJson(*report.firstUndrawn));
+        object.insert(u"firstUndrawn"_s, undrawnJson(*report.firstUndrawn));
     return object;
 }
 
@@ -75,9 +74,9 @@ QJsonObject invariantsJson(const InvariantReport &report, const Findings &findin
 
 ExitCode invariants(const Command &command, const QStringList &arguments)
 {
-    const QString place = QStringLiteral("DRAWER");
+    const QString place = u"DRAWER"_s;
     CommandLine line(command, {{place, sideMeaning()}});
-    addSeedOption(line, QStringLiteral("triangles"));
+    addSeedOption(line, u"triangles"_s);
     line.addJsonOption();
     addToleranceOption(line);
     addProgramOptions(line);
@@ -88,17 +87,14 @@ ExitCode invariants(const Command &command, const QStringList &arguments)
     const Sides sides = sidesOf(line, {place});
     if (!methodNamed(QString::fromStdString(sides.conventions.method))
              ->draws(PrimitiveKind::Triangle))
-        refuse(InputError{place, QStringLiteral("draws lines"),
-                          QStringLiteral("a method that draws triangles")});
+        refuse(InputError{place, u"draws lines"_s, u"a method that draws triangles"_s});
     constexpr int pairs = 60;
     const PictureSource &source = sides.sources.front();
     const InvariantReport report = checkInvariants(source, sides.conventions, seed, pairs);
     if (report.undrawn > 0)
-        sayLine(
-            QStringLiteral("%1 could not draw all of %2 of %3 pairs of triangles; the first: %4")
-                .arg(source.name, QString::number(report.undrawn),
-                     QString::number(report.checked + report.undrawn),
-                     undrawnText(*report.firstUndrawn)));
+        sayLine(u"%1 could not draw all of %2 of %3 pairs of triangles; the first: %4"_s.arg(
+            source.name, QString::number(report.undrawn),
+            QString::number(report.checked + report.undrawn), undrawnText(*report.firstUndrawn)));
     const QStringList confinement = sides.hasProgram() ? confinementLines() : QStringList();
     if (report.checked == 0 && !line.asksForJson()) {
         for (const QString &each : confinement)

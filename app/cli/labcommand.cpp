@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/cli/commandline.h"
 #include "app/cli/commands.h"
 #include "app/cli/console.h"
 #include "app/cli/files.h"
-#include "app/cli/options.h"
 #include "core/grade/showntext.h"
 #include "core/lab/study/budget.h"
 #include "core/lab/study/labfile.h"
@@ -16,30 +16,21 @@ namespace pixelplumb::cli {
 
 namespace {
 
-const QString quickOption = QStringLiteral("quick");
-const QString fullOption = QStringLiteral("full");
-const QString familyOption = QStringLiteral("family");
-const QString contenderOption = QStringLiteral("contender");
-const QString accuracyOnlyOption = QStringLiteral("accuracy-only");
-const QString budgetOption = QStringLiteral("budget");
-const QString studyFormatOption = QStringLiteral("format");
-const QString studyOption = QStringLiteral("output");
-const QString ownSceneFamily = QStringLiteral("own-scene");
+const QString quickOption = u"quick"_s;
+const QString fullOption = u"full"_s;
+const QString familyOption = u"family"_s;
+const QString contenderOption = u"contender"_s;
+const QString accuracyOnlyOption = u"accuracy-only"_s;
+const QString budgetOption = u"budget"_s;
+const QString studyOption = u"output"_s;
+const QString ownSceneFamily = u"own-scene"_s;
 
-enum class LabFormat { Text, Csv, Json };
-
-LabFormat chosenFormat(const CommandLine &line)
+TableFormat chosenFormat(const CommandLine &line)
 {
-    const QString word = line.value(studyFormatOption);
-    const QStringList names
-        = {QStringLiteral("text"), QStringLiteral("csv"), QStringLiteral("json")};
-    const qsizetype index = names.indexOf(word);
-    if (index < 0)
-        refuseUnknown(QStringLiteral("--format"), QStringLiteral("format"), word, names);
-    if (line.isSet(accuracyOnlyOption) && LabFormat(index) == LabFormat::Text)
-        refuse({QStringLiteral("--accuracy-only"), QStringLiteral("text tells of this machine"),
-                QStringLiteral("--format json or csv")});
-    return LabFormat(index);
+    const TableFormat format = chosenTableFormat(line, TableFormat::Text);
+    if (line.isSet(accuracyOnlyOption) && format == TableFormat::Text)
+        refuse({u"--accuracy-only"_s, u"text tells of this machine"_s, u"--format json or csv"_s});
+    return format;
 }
 
 QStringList chosenFamilies(const CommandLine &line)
@@ -50,7 +41,7 @@ QStringList chosenFamilies(const CommandLine &line)
     QStringList families = line.value(familyOption).split(u',', Qt::SkipEmptyParts);
     for (const QString &family : families) {
         if (!known.contains(family))
-            refuseUnknown(QStringLiteral("--family"), QStringLiteral("family"), family, known);
+            refuseUnknown(u"--family"_s, u"family"_s, family, known);
     }
     return families;
 }
@@ -64,11 +55,10 @@ std::vector<LabContender> chosenContenders(const CommandLine &line)
             QStringList known;
             for (const LabContender &each : fullContenders())
                 known << each.id;
-            refuseUnknown(QStringLiteral("--contender"), QStringLiteral("contender"), id, known);
+            refuseUnknown(u"--contender"_s, u"contender"_s, id, known);
         }
         if (std::ranges::find(contenders, id, &LabContender::id) != contenders.end())
-            refuse({QStringLiteral("--contender"), QStringLiteral("“%1” is named twice").arg(id),
-                    QStringLiteral("each once")});
+            refuse({u"--contender"_s, u"“%1” is named twice"_s.arg(id), u"each once"_s});
         contenders.push_back(*contender);
     }
     return contenders;
@@ -78,20 +68,18 @@ std::optional<Budget> chosenBudget(const CommandLine &line)
 {
     if (!line.isSet(budgetOption))
         return std::nullopt;
-    return chosen(line, budgetOption, allBudgets, allBudgets.front(), QStringLiteral("budget"));
+    return chosen(line, budgetOption, allBudgets, allBudgets.front(), u"budget"_s);
 }
 
 StudySettings settingsFrom(const CommandLine &line)
 {
     StudySettings settings;
     if (line.isSet(quickOption) && line.isSet(fullOption))
-        refuse({{}, QStringLiteral("--quick and --full"), QStringLiteral("one of them")});
+        refuse({{}, u"--quick and --full"_s, u"one of them"_s});
     settings.extent = line.isSet(fullOption) ? StudyExtent::Full : StudyExtent::Quick;
     if (line.isSet(accuracyOnlyOption)) {
         if (line.isSet(budgetOption))
-            refuse({{},
-                    QStringLiteral("--accuracy-only and --budget"),
-                    QStringLiteral("one of them")});
+            refuse({{}, u"--accuracy-only and --budget"_s, u"one of them"_s});
         settings.rounds = 0;
     }
     const auto families = chosenFamilies(line);
@@ -101,14 +89,12 @@ StudySettings settingsFrom(const CommandLine &line)
     settings.hardCases = required(builtInHardCases());
     settings.ownSceneName = line.argument(0);
     if (settings.ownSceneName.isEmpty() && settings.families.contains(ownSceneFamily))
-        refuse({QStringLiteral("SCENE"), QStringLiteral("is missing"),
-                QStringLiteral("the scene that --family own-scene measures")});
+        refuse({u"SCENE"_s, u"is missing"_s, u"the scene that --family own-scene measures"_s});
     if (!settings.ownSceneName.isEmpty()) {
         const auto reading = readSceneAt(settings.ownSceneName);
         if (!reading.scene.hasTriangles())
-            refuse({settings.ownSceneName,
-                    QStringLiteral("has no triangles, which alone are measured"),
-                    QStringLiteral("a scene with triangles")});
+            refuse({settings.ownSceneName, u"has no triangles, which alone are measured"_s,
+                    u"a scene with triangles"_s});
         settings.ownScene = std::make_shared<const Scene>(reading.scene);
     }
     return settings;
@@ -118,26 +104,26 @@ StudySettings settingsFrom(const CommandLine &line)
 /// family requested.
 QString familyOfBudget(const Study &study)
 {
-    for (const QString &id : {ownSceneFamily, QStringLiteral("random-integer")}) {
+    for (const QString &id : {ownSceneFamily, u"random-integer"_s}) {
         if (study.family(id))
             return id;
     }
     return study.families.empty() ? QString() : study.families.front().id;
 }
 
-QByteArray accuracyBytesOf(const Study &study, LabFormat format)
+QByteArray accuracyBytesOf(const Study &study, TableFormat format)
 {
-    return format == LabFormat::Csv ? accuracyCsvOf(study) : writeAccuracy(study);
+    return format == TableFormat::Csv ? accuracyCsvOf(study) : writeAccuracy(study);
 }
 
-QByteArray bytesOf(const Study &study, LabFormat format)
+QByteArray bytesOf(const Study &study, TableFormat format)
 {
     switch (format) {
-    case LabFormat::Text:
+    case TableFormat::Text:
         return shownLines(studyLines(study));
-    case LabFormat::Csv:
+    case TableFormat::Csv:
         return csvOf(study);
-    case LabFormat::Json:
+    case TableFormat::Json:
         return escapedJson(writeStudy(study));
     }
     return {};
@@ -145,31 +131,24 @@ QByteArray bytesOf(const Study &study, LabFormat format)
 
 void addStudyOptions(CommandLine &line)
 {
-    line.addOption({quickOption,
-                    QStringLiteral("Fifteen contenders within 20 seconds; this if "
-                                   "left out.")});
-    line.addOption({fullOption,
-                    QStringLiteral("Every method in every arithmetic, within five "
-                                   "minutes.")});
-    addSeedOption(line, QStringLiteral("triangles"));
+    line.addOption({quickOption, u"Fifteen contenders within 20 seconds; this if left out."_s});
+    line.addOption({fullOption, u"Every method in every arithmetic, within five minutes."_s});
+    addSeedOption(line, u"triangles"_s);
+    line.addOption({familyOption, u"These families alone: a,b."_s, u"names"_s});
     line.addOption(
-        {familyOption, QStringLiteral("These families alone: a,b."), QStringLiteral("names")});
-    line.addOption({contenderOption,
-                    QStringLiteral("These alone: column-scan:float32,column-scan:exact:fast."),
-                    QStringLiteral("ids")});
-    line.addOption({accuracyOnlyOption,
-                    QStringLiteral("Time nothing and write the accuracy as JSON or CSV: the same "
-                                   "seed, the same bytes.")});
-    line.addOption({budgetOption,
-                    QStringLiteral("Name the cheapest that meets it on the scene, or on random "
-                                   "triangles: exact, 1-level, 10-ppm, 16-ms."),
-                    QStringLiteral("budget")});
-    line.addOption({studyFormatOption, QStringLiteral("text, csv or json; text if left out."),
-                    QStringLiteral("format"), QStringLiteral("text")});
-    line.addOption({{QStringLiteral("o"), studyOption},
-                    QStringLiteral("Write to a file; - is standard output."),
-                    QStringLiteral("file"),
-                    QStringLiteral("-")});
+        {contenderOption, u"These alone: column-scan:float32,column-scan:exact:fast."_s, u"ids"_s});
+    line.addOption(
+        {accuracyOnlyOption,
+         u"Time nothing and write the accuracy as JSON or CSV: the same seed, the same bytes."_s});
+    line.addOption(
+        {budgetOption,
+         u"Name the cheapest that meets it on the scene, or on random triangles: exact, 1-level, "
+         "10-ppm, 16-ms."_s,
+         u"budget"_s});
+    line.addOption(
+        {u"format"_s, u"text, csv or json; text if left out."_s, u"format"_s, u"text"_s});
+    line.addOption(
+        {{u"o"_s, studyOption}, u"Write to a file; - is standard output."_s, u"file"_s, u"-"_s});
 }
 
 Study runShowingTime(const StudySettings &settings)
@@ -195,7 +174,7 @@ ExitCode lab(const Command &command, const QStringList &arguments)
     CommandLine line(command, {scene});
     addStudyOptions(line);
     line.parse(arguments);
-    const LabFormat format = chosenFormat(line);
+    const TableFormat format = chosenFormat(line);
     const auto budget = chosenBudget(line);
     const StudySettings settings = settingsFrom(line);
     Output output(line.value(studyOption));
@@ -206,14 +185,14 @@ ExitCode lab(const Command &command, const QStringList &arguments)
                                                          : bytesOf(study, format));
     output.finish();
     if (!study.isComplete) {
-        sayLine(QStringLiteral("interrupted; what was measured until then is written"));
+        sayLine(u"interrupted; what was measured until then is written"_s);
         return ExitCode::FallsShort;
     }
     if (!budget)
         return ExitCode::Done;
     const QString family = familyOfBudget(study);
     const BudgetAnswer answer = cheapestFor(*budget, study, family);
-    sayLine(QStringLiteral("%1 on %2: %3").arg(textOf(*budget), family, answer.reason));
+    sayLine(u"%1 on %2: %3"_s.arg(textOf(*budget), family, answer.reason));
     return answer.ground == BudgetGround::Nobody ? ExitCode::FallsShort : ExitCode::Done;
 }
 

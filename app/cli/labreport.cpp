@@ -37,9 +37,8 @@ QString wrongText(const AccuracyFigures &figures, const StudyContender &contende
     if (figures.wrongPixels() > 0)
         return number(figures.wrongPerMillion(), 2);
     if (!contender.isProved)
-        return QStringLiteral("0 seen");
-    return contender.kernel == LabKernel::Fast ? QStringLiteral("0 tested")
-                                               : QStringLiteral("0 proved");
+        return u"0 seen"_s;
+    return contender.kernel == LabKernel::Fast ? u"0 tested"_s : u"0 proved"_s;
 }
 
 QString shareText(std::int64_t count, std::int64_t of)
@@ -55,8 +54,8 @@ QString remarkOf(const LabRow &row)
     if (!row.remark.isEmpty())
         remarks << row.remark;
     if (const auto times = row.missesStraight())
-        remarks << QStringLiteral("misses 1.3 of its straight loop: %1").arg(*times, 0, 'f', 2);
-    return remarks.join(QStringLiteral(": "));
+        remarks << u"misses 1.3 of its straight loop: %1"_s.arg(*times, 0, 'f', 2);
+    return remarks.join(u": "_s);
 }
 
 Line lineOf(const Study &study, const LabRow &row)
@@ -95,17 +94,15 @@ Line lineOf(const Study &study, const LabRow &row)
 QStringList familyText(const Study &study, const StudyFamily &family)
 {
     std::vector<Line> lines
-        = {{QStringLiteral("contender"), QStringLiteral("ns/px"), QStringLiteral("× assignment"),
-            QStringLiteral("× straight"), QStringLiteral("wrong ppm"),
-            QStringLiteral("% triangles"), QStringLiteral("missing"), QStringLiteral("extra"),
-            QStringLiteral("ties"), QStringLiteral("farthest px"), QStringLiteral("bytes"),
-            QStringLiteral("by levels"), QStringLiteral("before rounding"), QString()}};
+        = {{u"contender"_s, u"ns/px"_s, u"× assignment"_s, u"× straight"_s, u"wrong ppm"_s,
+            u"% triangles"_s, u"missing"_s, u"extra"_s, u"ties"_s, u"farthest px"_s, u"bytes"_s,
+            u"by levels"_s, u"before rounding"_s, QString()}};
     for (const LabRow &row : study.rows) {
         if (row.family == family.id)
             lines.push_back(lineOf(study, row));
     }
-    QStringList text = {QString(), QStringLiteral("%1: %2").arg(family.title, family.stresses)};
-    text += QStringLiteral("%1 triangles; timed %2 of them, %3 pixels, %4 bytes of cache lines")
+    QStringList text = {QString(), u"%1: %2"_s.arg(family.title, family.stresses)};
+    text += u"%1 triangles; timed %2 of them, %3 pixels, %4 bytes of cache lines"_s
                 .arg(family.triangles)
                 .arg(family.timedTriangles)
                 .arg(family.timedPixels)
@@ -115,9 +112,8 @@ QStringList familyText(const Study &study, const StudyFamily &family)
 
 QStringList fitText(const Study &study)
 {
-    std::vector<Line> lines = {{QStringLiteral("contender"), QStringLiteral("ns a triangle"),
-                                QStringLiteral("a column"), QStringLiteral("a pixel"),
-                                QStringLiteral("off by %"), QString()}};
+    std::vector<Line> lines = {{u"contender"_s, u"ns a triangle"_s, u"a column"_s, u"a pixel"_s,
+                                u"off by %"_s, QString()}};
     for (const StudyContender &contender : study.contenders) {
         if (const auto &fit = contender.fit) {
             lines.push_back({contender.id, number(fit->perTriangle, 1), number(fit->perColumn, 2),
@@ -126,9 +122,8 @@ QStringList fitText(const Study &study)
     }
     if (lines.size() == 1)
         return {};
-    return QStringList{
-               QString(),
-               QStringLiteral("What set-up, columns and pixels take, fitted over the families")}
+    return QStringList{QString(),
+                       u"What set-up, columns and pixels take, fitted over the families"_s}
     + withRemarks(lines);
 }
 
@@ -142,9 +137,9 @@ QStringList brightnessText(const Study &study)
         if (row.group == last || !range)
             continue;
         last = row.group;
-        text << QStringLiteral("%1: brightness for each pixel of length %2 to %3, ratio %4")
-                    .arg(row.group, number(range->least, 4), number(range->greatest, 4),
-                         number(range->greatest / range->least, 4));
+        text << u"%1: brightness for each pixel of length %2 to %3, ratio %4"_s.arg(
+            row.group, number(range->least, 4), number(range->greatest, 4),
+            number(range->greatest / range->least, 4));
     }
     return text;
 }
@@ -155,10 +150,8 @@ QStringList effectsText(const Study &study)
     if (study.effects.empty())
         return {};
     std::vector<Line> lines
-        = {{QStringLiteral("scene"), QStringLiteral("way"), QStringLiteral("arithmetic"),
-            QStringLiteral("ns/px"), QStringLiteral("× first"), QStringLiteral("error, levels"),
-            QStringLiteral("wrong pixels"), QStringLiteral("off the surface"),
-            QStringLiteral("brightness"), QString()}};
+        = {{u"scene"_s, u"way"_s, u"arithmetic"_s, u"ns/px"_s, u"× first"_s, u"error, levels"_s,
+            u"wrong pixels"_s, u"off the surface"_s, u"brightness"_s, QString()}};
     for (const EffectRow &row : study.effects)
         lines.push_back(
             {row.group, row.way, nameText(nameOf(row.arithmetic)),
@@ -166,11 +159,12 @@ QStringList effectsText(const Study &study)
              number(row.timesFirst ? std::optional(row.timesFirst->median) : std::nullopt, 2),
              number(row.rms, 2), QString::number(row.wrongPixels), shortNumber(row.distance),
              number(row.brightness, 4),
-             row.isTooSlow() ? QStringLiteral("over %1").arg(mostTimesLoop) : QString()});
-    return QStringList{QString(),
-                       QStringLiteral("What effects cost and what they mend: plain kernels of the "
-                                      "column scan, of lines by their own methods; errors from the "
-                                      "exact area or the truth; kernels from their straight loops")}
+             row.isTooSlow() ? u"over %1"_s.arg(mostTimesLoop) : QString()});
+    return QStringList{
+               QString(),
+               u"What effects cost and what they mend: plain kernels of the column scan, of lines "
+               "by their own methods; errors from the exact area or the truth; kernels from their "
+               "straight loops"_s}
     + withRemarks(lines) + brightnessText(study);
 }
 
@@ -180,12 +174,12 @@ QStringList studyLines(const Study &study)
 {
     QStringList text = {summaryOf(study.conditions)};
     for (const QString &warning : warningsOf(study))
-        text << QStringLiteral("! ") + warning;
+        text << u"! "_s + warning;
     for (const StudyFamily &family : study.families)
         text += familyText(study, family);
     text += fitText(study);
     text += effectsText(study);
-    text << QString() << QStringLiteral("again: ") + study.command;
+    text << QString() << u"again: "_s + study.command;
     return text;
 }
 

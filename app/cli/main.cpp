@@ -15,35 +15,24 @@ namespace pixelplumb::cli {
 const std::vector<Command> &commands()
 {
     static const std::vector<Command> table = {
-        {QStringLiteral("render"), QStringLiteral("Draw a scene to a picture or as text."), render},
-        {QStringLiteral("trace"), QStringLiteral("Print the numbers that the drawing used."),
-         trace},
-        {QStringLiteral("pixel"), QStringLiteral("Tell what wrote a pixel, or what refuses it."),
-         pixel},
-        {QStringLiteral("methods"),
-         QStringLiteral("List the methods of scan conversion, or describe one in full."),
+        {u"render"_s, u"Draw a scene to a picture or as text."_s, render},
+        {u"trace"_s, u"Print the numbers that the drawing used."_s, trace},
+        {u"pixel"_s, u"Tell what wrote a pixel, or what refuses it."_s, pixel},
+        {u"methods"_s, u"List the methods of scan conversion, or describe one in full."_s,
          listMethods},
-        {QStringLiteral("plan"), QStringLiteral("Tell which effects a scene calls for, and why."),
-         plan},
-        {QStringLiteral("check"), QStringLiteral("Run a file of hard cases."), check},
-        {QStringLiteral("compare"), QStringLiteral("Tell where methods disagree, and why."),
-         compare},
-        {QStringLiteral("diff"), QStringLiteral("Tell how two pictures differ, and by what cause."),
-         diff},
-        {QStringLiteral("diagnose"),
-         QStringLiteral("Name the defects whose pictures equal a student's."), diagnose},
-        {QStringLiteral("try"),
-         QStringLiteral("Run a student's program, and tell where it goes wrong."), tryProgram},
-        {QStringLiteral("grade"), QStringLiteral("Grade a folder of submissions."), grade},
-        {QStringLiteral("counterexample"),
-         QStringLiteral("Find a small scene that two drawers draw differently."), counterExample},
-        {QStringLiteral("invariants"),
-         QStringLiteral("Check the properties that every right picture has."), invariants},
-        {QStringLiteral("motion"), QStringLiteral("Count what flickers while a scene moves."),
-         motion},
-        {QStringLiteral("lab"), QStringLiteral("Measure what accuracy costs in time."), lab},
-        {QStringLiteral("help"), QStringLiteral("Show this help, or a command's: help COMMAND."),
-         help},
+        {u"plan"_s, u"Tell which effects a scene calls for, and why."_s, plan},
+        {u"check"_s, u"Run a file of hard cases."_s, check},
+        {u"compare"_s, u"Tell where methods disagree, and why."_s, compare},
+        {u"diff"_s, u"Tell how two pictures differ, and by what cause."_s, diff},
+        {u"diagnose"_s, u"Name the defects whose pictures equal a student's."_s, diagnose},
+        {u"try"_s, u"Run a student's program, and tell where it goes wrong."_s, tryProgram},
+        {u"grade"_s, u"Grade a folder of submissions."_s, grade},
+        {u"counterexample"_s, u"Find a small scene that two drawers draw differently."_s,
+         counterExample},
+        {u"invariants"_s, u"Check the properties that every right picture has."_s, invariants},
+        {u"motion"_s, u"Count what flickers while a scene moves."_s, motion},
+        {u"lab"_s, u"Measure what accuracy costs in time."_s, lab},
+        {u"help"_s, u"Show this help, or a command's: help COMMAND."_s, help},
     };
     return table;
 }
@@ -67,26 +56,24 @@ const Command *commandNamed(const QString &name)
 QString helpText()
 {
     const QString program = QCoreApplication::applicationName();
-    QString text = QStringLiteral("Usage: %1 COMMAND [options] ARGUMENTS\n"
-                                  "Draw, trace and measure triangle scan conversion.\n\n"
-                                  "Commands:\n")
-                       .arg(program);
+    QString text
+        = u"Usage: %1 COMMAND [options] ARGUMENTS\n"
+          "Draw, trace and measure triangle scan conversion.\n\nCommands:\n"_s.arg(program);
     for (const Command &command : commands())
-        text += QStringLiteral("  %1  %2\n").arg(command.name.leftJustified(14), command.summary);
-    text += QStringLiteral(
-        "\nOptions:\n"
-        "  -h, --help     Show this help; after a command, the command's.\n"
-        "  -v, --version  Show the version.\n\n"
-        "Exit status: 0 done or same, 1 differs or falls short, 2 usage or unreadable "
-        "input,\n3 sizes differ, 70 internal error.");
+        text += u"  %1  %2\n"_s.arg(command.name.leftJustified(14), command.summary);
+    text += u"\nOptions:\n"
+            "  -h, --help     Show this help; after a command, the command's.\n"
+            "  -v, --version  Show the version.\n\n"
+            "Exit status: 0 done or same, 1 differs or falls short, 2 usage or unreadable input,\n"
+            "3 sizes differ, 70 internal error."_s;
     return text;
 }
 
 ExitCode refuseWords(const QString &what)
 {
     const QString program = QCoreApplication::applicationName();
-    sayLine(QStringLiteral("%1: %2").arg(program, what));
-    sayLine(QStringLiteral("Try “%1 --help”.").arg(program));
+    sayLine(u"%1: %2"_s.arg(program, what));
+    sayLine(u"Try “%1 --help”."_s.arg(program));
     return ExitCode::Usage;
 }
 
@@ -94,14 +81,13 @@ ExitCode run(const QStringList &arguments)
 {
     const InputRecord inputs;
     if (arguments.isEmpty())
-        return refuseWords(QStringLiteral("a command is missing"));
+        return refuseWords(u"a command is missing"_s);
     const QString &word = arguments.front();
-    if (word == QStringLiteral("--help") || word == QStringLiteral("-h"))
-        return help(*commandNamed(QStringLiteral("help")), arguments.sliced(1));
-    if (word == QStringLiteral("--version") || word == QStringLiteral("-v")) {
+    if (word == u"--help"_s || word == u"-h"_s)
+        return help(*commandNamed(u"help"_s), arguments.sliced(1));
+    if (word == u"--version"_s || word == u"-v"_s) {
         if (arguments.size() > 1)
-            return refuseWords(
-                QStringLiteral("%1: unexpected argument “%2”").arg(word, arguments[1]));
+            return refuseWords(u"%1: unexpected argument “%2”"_s.arg(word, arguments[1]));
         printLine(QCoreApplication::applicationName() + u' '
                   + QCoreApplication::applicationVersion());
         return ExitCode::Done;
@@ -109,30 +95,28 @@ ExitCode run(const QStringList &arguments)
     if (const Command *command = commandNamed(word))
         return endOf(word, [&] { return command->run(*command, arguments.sliced(1)); });
     if (word.startsWith(u'-')) {
-        const QStringList options = {QStringLiteral("--help"), QStringLiteral("--version")};
-        return refuseWords(QStringLiteral("unknown option %1").arg(word)
-                           + suggestion(word, options));
+        const QStringList options = {u"--help"_s, u"--version"_s};
+        return refuseWords(u"unknown option %1"_s.arg(word) + suggestion(word, options));
     }
-    return refuseWords(QStringLiteral("unknown command “%1”").arg(word)
-                       + suggestion(word, commandNames()));
+    return refuseWords(u"unknown command “%1”"_s.arg(word) + suggestion(word, commandNames()));
 }
 
 } // namespace
 
 ExitCode help(const Command &command, const QStringList &arguments)
 {
-    const QString option = QStringLiteral("--help");
+    const QString option = u"--help"_s;
     const QString word = arguments.value(0, option);
     // `help help` adds nothing to the general help.
-    if (word == command.name || word == option || word == QStringLiteral("-h")) {
+    if (word == command.name || word == option || word == u"-h"_s) {
         printLines(helpText().split(u'\n'));
         return ExitCode::Done;
     }
     if (arguments.size() > 1)
-        return refuseWords(QStringLiteral("help: unexpected argument “%1”").arg(arguments[1]));
+        return refuseWords(u"help: unexpected argument “%1”"_s.arg(arguments[1]));
     const Command *explained = commandNamed(word);
     if (!explained)
-        return refuseWords(QStringLiteral("help: unknown command “%1”").arg(word)
+        return refuseWords(u"help: unknown command “%1”"_s.arg(word)
                            + suggestion(word, commandNames()));
     return endOf(explained->name, [&] { return explained->run(*explained, {option}); });
 }
@@ -141,34 +125,33 @@ ExitCode help(const Command &command, const QStringList &arguments)
 
 int main(int argc, char *argv[])
 {
-    using pixelplumb::cli::ExitCode;
-    using pixelplumb::cli::sayLine;
+    using namespace pixelplumb::cli;
 
     QCoreApplication application(argc, argv);
-    QCoreApplication::setApplicationName(QStringLiteral("pixelplumb-cli"));
+    QCoreApplication::setApplicationName(u"pixelplumb-cli"_s);
     QCoreApplication::setApplicationVersion(QStringLiteral(PIXELPLUMB_VERSION));
     // Image errors are reported by the commands, with the picture's name.
-    QLoggingCategory::setFilterRules(QStringLiteral("qt.gui.imageio*=false"));
-    if (const auto refusal = pixelplumb::cli::refusalOfBytes(argc, argv)) {
-        sayLine(QStringLiteral("pixelplumb-cli: ") + *refusal);
+    QLoggingCategory::setFilterRules(u"qt.gui.imageio*=false"_s);
+    if (const auto refusal = refusalOfBytes(argc, argv)) {
+        sayLine(u"pixelplumb-cli: "_s + *refusal);
         return int(ExitCode::Usage);
     }
     try {
-        ExitCode code = pixelplumb::cli::run(QCoreApplication::arguments().sliced(1));
+        ExitCode code = run(QCoreApplication::arguments().sliced(1));
         // Unless a command has reported it.
-        const auto error = pixelplumb::cli::finishPrinting();
+        const auto error = finishPrinting();
         if (error && code != ExitCode::Usage) {
-            sayLine(QStringLiteral("pixelplumb-cli: ") + error->message());
+            sayLine(u"pixelplumb-cli: "_s + error->message());
             code = ExitCode::Usage;
         }
         return int(code);
     } catch (const std::bad_alloc &) {
-        sayLine(QStringLiteral("pixelplumb-cli: this does not fit into memory"));
+        sayLine(u"pixelplumb-cli: this does not fit into memory"_s);
     } catch (const std::exception &exception) {
-        sayLine(QStringLiteral("pixelplumb-cli: internal error: %1")
-                    .arg(QString::fromLocal8Bit(exception.what())));
+        sayLine(
+            u"pixelplumb-cli: internal error: %1"_s.arg(QString::fromLocal8Bit(exception.what())));
     } catch (...) {
-        sayLine(QStringLiteral("pixelplumb-cli: internal error"));
+        sayLine(u"pixelplumb-cli: internal error"_s);
     }
     return int(ExitCode::Internal);
 }

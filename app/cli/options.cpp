@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/cli/options.h"
-
+#include "app/cli/commandline.h"
 #include "app/cli/console.h"
 #include "core/grade/class/assignment.h"
 #include "core/grade/try/sandbox.h"
@@ -14,15 +13,14 @@ namespace pixelplumb::cli {
 std::int64_t wholeNumber(const QString &place, const QString &word, const WholeRange &range)
 {
     const bool isOpen = range.last == std::numeric_limits<std::int64_t>::max();
-    const QString expected = isOpen ? QStringLiteral("%1 or more").arg(range.first)
-                                    : QStringLiteral("%1 … %2").arg(range.first).arg(range.last);
+    const QString expected
+        = isOpen ? u"%1 or more"_s.arg(range.first) : u"%1 … %2"_s.arg(range.first).arg(range.last);
     bool isNumber = false;
     const qint64 value = word.toLongLong(&isNumber);
     if (!isNumber)
-        refuse({place, QStringLiteral("“%1” is no whole number").arg(word), expected});
+        refuse({place, u"“%1” is no whole number"_s.arg(word), expected});
     if (value < range.first || value > range.last)
-        refuse({place, QStringLiteral("%1 is %2").arg(QString::number(value), range.outside),
-                expected});
+        refuse({place, u"%1 is %2"_s.arg(QString::number(value), range.outside), expected});
     return std::int64_t(value);
 }
 
@@ -32,19 +30,37 @@ std::optional<std::int64_t> wholeNumberOf(const CommandLine &line, const QString
     const QString word = line.value(option);
     if (word.isEmpty() && !line.isSet(option))
         return std::nullopt;
-    return wholeNumber(QStringLiteral("--") + option, word, range);
+    return wholeNumber(u"--"_s + option, word, range);
+}
+
+std::optional<std::size_t> chosenName(const CommandLine &line, const QString &option,
+                                      const QStringList &names, const QString &what)
+{
+    if (!line.isSet(option))
+        return std::nullopt;
+    const qsizetype index = names.indexOf(line.value(option));
+    if (index < 0)
+        refuseUnknown(u"--"_s + option, what, line.value(option), names);
+    return std::size_t(index);
+}
+
+TableFormat chosenTableFormat(const CommandLine &line, TableFormat unset)
+{
+    const QString option = u"format"_s;
+    const auto index = chosenName(line, option, {u"text"_s, u"csv"_s, u"json"_s}, option);
+    return index ? TableFormat(*index) : unset;
 }
 
 namespace {
 
-const QString seedOption = QStringLiteral("seed");
+const QString seedOption = u"seed"_s;
 
 } // namespace
 
 void addSeedOption(CommandLine &line, const QString &what)
 {
-    line.addOption({seedOption, QStringLiteral("Of the random %1; 1 if left out.").arg(what),
-                    QStringLiteral("number"), QStringLiteral("1")});
+    line.addOption(
+        {seedOption, u"Of the random %1; 1 if left out."_s.arg(what), u"number"_s, u"1"_s});
 }
 
 std::uint64_t chosenSeed(const CommandLine &line)
@@ -53,16 +69,15 @@ std::uint64_t chosenSeed(const CommandLine &line)
     bool isNumber = false;
     const qulonglong seed = word.toULongLong(&isNumber);
     if (!isNumber)
-        refuse({QStringLiteral("--seed"),
-                QStringLiteral("“%1” is no whole number of 64 bits").arg(word),
-                QStringLiteral("0 … 18446744073709551615")});
+        refuse({u"--seed"_s, u"“%1” is no whole number of 64 bits"_s.arg(word),
+                u"0 … 18446744073709551615"_s});
     return std::uint64_t(seed);
 }
 
 namespace {
 
-const QString toleranceOption = QStringLiteral("tolerance");
-const QString leewayOption = QStringLiteral("leeway");
+const QString toleranceOption = u"tolerance"_s;
+const QString leewayOption = u"leeway"_s;
 
 } // namespace
 
@@ -70,19 +85,19 @@ void addToleranceOption(CommandLine &line)
 {
     line.addOption(
         {toleranceOption,
-         QStringLiteral("The arithmetic that a right program may compute in; its rounding is "
-                        "allowed for: float32 or float64; float32 if left out."),
-         QStringLiteral("name"), QStringLiteral("float32")});
+         u"The arithmetic that a right program may compute in; its rounding is allowed for: "
+         "float32 or float64; float32 if left out."_s,
+         u"name"_s, u"float32"_s});
 }
 
 void addMarginOptions(CommandLine &line)
 {
-    line.addOption({leewayOption,
-                    QStringLiteral("What a right program may draw otherwise: strict, nothing; "
-                                   "rule, what rounding decides; edges, also samples on edges; "
-                                   "once, the same, but where two triangles share an edge one of "
-                                   "them draws its samples; rule if left out."),
-                    QStringLiteral("name"), QStringLiteral("rule")});
+    line.addOption(
+        {leewayOption,
+         u"What a right program may draw otherwise: strict, nothing; rule, what rounding decides; "
+         "edges, also samples on edges; once, the same, but where two triangles share an edge one "
+         "of them draws its samples; rule if left out."_s,
+         u"name"_s, u"rule"_s});
     addToleranceOption(line);
 }
 
@@ -118,36 +133,32 @@ QStringList effectWords()
 
 void addForceOption(CommandLine &line)
 {
-    line.addRepeatedOption(
-        {forceOption,
-         QStringLiteral("Switch an effect on or off whatever the scene calls for: ")
-             + effectWords().join(QStringLiteral(", "))
-             + QStringLiteral(", each with =on or =off. May be repeated."),
-         QStringLiteral("effect=on|off")});
+    line.addRepeatedOption({forceOption,
+                            u"Switch an effect on or off whatever the scene calls for: "_s
+                                + effectWords().join(u", "_s)
+                                + u", each with =on or =off. May be repeated."_s,
+                            u"effect=on|off"_s});
 }
 
 EffectForcing chosenForcing(const CommandLine &line)
 {
-    const QString place = QStringLiteral("--") + forceOption;
+    const QString place = u"--"_s + forceOption;
     EffectForcing forced;
     for (const QString &entry : line.values(forceOption)) {
         const QString name = entry.section(u'=', 0, 0);
         const QString state = entry.section(u'=', 1);
         if (name == wordOf(Effect::Clipping))
             refuse({place,
-                    QStringLiteral("clipping has no switch: the frame's border bounds "
-                                   "every loop, at no cost"),
+                    u"clipping has no switch: the frame's border bounds every loop, at no cost"_s,
                     {}});
         const auto found = std::ranges::find(allEffects, name, wordOf);
         if (found == allEffects.end())
-            refuseUnknown(place, QStringLiteral("effect"), name, effectWords());
-        if (state != QStringLiteral("on") && state != QStringLiteral("off"))
-            refuse({place, QStringLiteral("“%1”").arg(entry),
-                    QStringLiteral("%1=on or %1=off").arg(name)});
-        const Forcing forcing = state == QStringLiteral("on") ? Forcing::On : Forcing::Off;
+            refuseUnknown(place, u"effect"_s, name, effectWords());
+        if (state != u"on"_s && state != u"off"_s)
+            refuse({place, u"“%1”"_s.arg(entry), u"%1=on or %1=off"_s.arg(name)});
+        const Forcing forcing = state == u"on"_s ? Forcing::On : Forcing::Off;
         if (forced[*found] != Forcing::AsCalledFor && forced[*found] != forcing)
-            refuse({place, QStringLiteral("%1=on and %1=off").arg(name),
-                    QStringLiteral("one of them")});
+            refuse({place, u"%1=on and %1=off"_s.arg(name), u"one of them"_s});
         forced[*found] = forcing;
     }
     return forced;
@@ -155,21 +166,9 @@ EffectForcing chosenForcing(const CommandLine &line)
 
 namespace {
 
-const QString inputOption = QStringLiteral("input");
-const QString timeOption = QStringLiteral("time");
-const QString memoryOption = QStringLiteral("memory");
-
-ProgramInput chosenInput(const CommandLine &line)
-{
-    QStringList names;
-    for (const ProgramInput input : allProgramInputs) {
-        names += nameOf(input);
-        if (line.value(inputOption) == names.back())
-            return input;
-    }
-    refuseUnknown(QStringLiteral("--") + inputOption, QStringLiteral("name"),
-                  line.value(inputOption), names);
-}
+const QString inputOption = u"input"_s;
+const QString timeOption = u"time"_s;
+const QString memoryOption = u"memory"_s;
 
 /// The memory limit; 0: none.
 std::int64_t chosenMegabytes(const CommandLine &line)
@@ -177,46 +176,45 @@ std::int64_t chosenMegabytes(const CommandLine &line)
     const auto megabytes = wholeNumberOf(line, memoryOption, {0, mostMegabytes});
     if (*megabytes == 0 || *megabytes >= leastMegabytes)
         return *megabytes;
-    refuse({QStringLiteral("--") + memoryOption,
-            QStringLiteral("no program starts in %1 MiB").arg(*megabytes),
-            QStringLiteral("%1 … %2, or 0 for no limit").arg(leastMegabytes).arg(mostMegabytes)});
+    refuse({u"--"_s + memoryOption, u"no program starts in %1 MiB"_s.arg(*megabytes),
+            u"%1 … %2, or 0 for no limit"_s.arg(leastMegabytes).arg(mostMegabytes)});
 }
 
 } // namespace
 
 void addProgramOptions(CommandLine &line)
 {
-    line.addOption({inputOption,
-                    QStringLiteral("What a program gets on stdin: json, the scene; lines, its "
-                                   "triangles as plain lines; json if left out."),
-                    QStringLiteral("kind"), QStringLiteral("json")});
+    line.addOption(
+        {inputOption,
+         u"What a program gets on stdin: json, the scene; lines, its triangles as plain lines; "
+         "json if left out."_s,
+         u"kind"_s, u"json"_s});
     line.addOption(
         {timeOption,
-         QStringLiteral("Seconds that it may compute for each scene; a program that waits four "
-                        "times as long is ended by the clock; 10 if left out."),
-         QStringLiteral("seconds"), QStringLiteral("10")});
-    line.addOption({memoryOption,
-                    QStringLiteral("MiB of addresses for each process, %1 at least; 0: no limit; "
-                                   "1024 if left out.")
-                        .arg(leastMegabytes),
-                    QStringLiteral("number"), QStringLiteral("1024")});
+         u"Seconds that it may compute for each scene; a program that waits four times as long is "
+         "ended by the clock; 10 if left out."_s,
+         u"seconds"_s, u"10"_s});
+    line.addOption(
+        {memoryOption,
+         u"MiB of addresses for each process, %1 at least; 0: no limit; 1024 if left out."_s.arg(
+             leastMegabytes),
+         u"number"_s, u"1024"_s});
 }
 
 void refuseProgramOptions(const CommandLine &line)
 {
     for (const QString &option : {inputOption, timeOption, memoryOption}) {
         if (line.isSet(option))
-            refuse({QStringLiteral("--") + option,
-                    QStringLiteral("says how a program is run, and none is named"),
-                    QStringLiteral("“program:COMMAND” among %1")
-                        .arg(line.arguments().join(QStringLiteral(", ")))});
+            refuse({u"--"_s + option, u"says how a program is run, and none is named"_s,
+                    u"“program:COMMAND” among %1"_s.arg(line.arguments().join(u", "_s))});
     }
 }
 
 TrialTerms chosenTerms(const CommandLine &line)
 {
     TrialTerms terms;
-    terms.input = chosenInput(line);
+    const QStringList inputs = {nameOf(ProgramInput::Json), nameOf(ProgramInput::Lines)};
+    terms.input = ProgramInput(chosenName(line, inputOption, inputs, u"name"_s).value_or(0));
     terms.limits.time = std::chrono::seconds(*wholeNumberOf(line, timeOption, {1, 3600}));
     terms.limits.memory = chosenMegabytes(line) << 20;
     return terms;
@@ -230,7 +228,7 @@ QStringList confinementLines()
 void addConfinement(QJsonObject &report)
 {
     if (!sandboxLack().isEmpty())
-        report.insert(QStringLiteral("noSandbox"), unsandboxedText(sandboxLack()));
+        report.insert(u"noSandbox"_s, unsandboxedText(sandboxLack()));
 }
 
 } // namespace pixelplumb::cli

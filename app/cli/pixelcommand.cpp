@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/cli/commandline.h"
 #include "app/cli/commands.h"
 #include "app/cli/console.h"
-#include "app/cli/options.h"
 #include "core/check/casepicture.h"
 #include "core/runs/undrawn.h"
 
@@ -58,27 +58,23 @@ BriefPixelHistory shownHistory(const TracedScene &traced, std::int64_t x, std::i
 
 ExitCode pixel(const Command &command, const QStringList &arguments)
 {
-    CommandLine line(
-        command,
-        {scenePositional(),
-         {QStringLiteral("X"), QStringLiteral("the pixel's column")},
-         {QStringLiteral("Y"), QStringLiteral("the pixel's row, counted as the scene does")}});
+    CommandLine line(command,
+                     {scenePositional(),
+                      {u"X"_s, u"the pixel's column"_s},
+                      {u"Y"_s, u"the pixel's row, counted as the scene does"_s}});
     line.addJsonOption();
     addSettingOptions(line);
     line.parse(arguments);
     SceneRun run = readScene(line, line.argument(0));
     const FrameSpec frame = run.scene.frame;
     const auto along = [](std::int64_t first, std::int64_t size) {
-        return WholeRange{first, first + size - 1, QStringLiteral("outside the frame")};
+        return WholeRange{first, first + size - 1, u"outside the frame"_s};
     };
-    const auto x
-        = wholeNumber(QStringLiteral("X"), line.argument(1), along(frame.firstColumn, frame.width));
-    const auto y
-        = wholeNumber(QStringLiteral("Y"), line.argument(2), along(frame.firstRow, frame.height));
+    const auto x = wholeNumber(u"X"_s, line.argument(1), along(frame.firstColumn, frame.width));
+    const auto y = wholeNumber(u"Y"_s, line.argument(2), along(frame.firstRow, frame.height));
 
     const auto traced = traceScene(std::move(run));
-    reportRejections(line.argument(0) + QStringLiteral(", ") + traced->method->id,
-                     rejectedPrimitives(*traced));
+    reportRejections(line.argument(0) + u", "_s + traced->method->id, rejectedPrimitives(*traced));
     if (line.asksForJson())
         printJson(pixelJson(reportOf(*traced, {pixelHistory(*traced, x, y)}, x, y)));
     else

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/cli/commandline.h"
 #include "app/cli/commands.h"
-#include "app/cli/options.h"
 #include "core/export/numbertext.h"
 #include "core/runs/explain/edgerefusal.h"
 #include "core/runs/explain/pixelhistory.h"
@@ -26,15 +26,13 @@ SpanWords wordsFor(SpanAxis axis)
 {
     switch (axis) {
     case SpanAxis::Column:
-        return {QStringLiteral("column"), QStringLiteral("y_B"), QStringLiteral("y_T"),
-                QStringLiteral("rows")};
+        return {u"column"_s, u"y_B"_s, u"y_T"_s, u"rows"_s};
     case SpanAxis::Row:
-        return {QStringLiteral("row"), QStringLiteral("x_L"), QStringLiteral("x_R"),
-                QStringLiteral("columns")};
+        return {u"row"_s, u"x_L"_s, u"x_R"_s, u"columns"_s};
     case SpanAxis::Free:
         break;
     }
-    return {QStringLiteral("step"), {}, {}, QStringLiteral("samples")};
+    return {u"step"_s, {}, {}, u"samples"_s};
 }
 
 /// The place in the window's words: "column 27, second half".
@@ -48,23 +46,20 @@ QString spanPlaceText(const PixelAttempt &attempt)
 QString placeText(const oracle::EdgeVerdict &edge, Antialiasing antialiasing)
 {
     if (antialiasing == Antialiasing::None)
-        return edge.accepts ? QStringLiteral(" accepts") : QStringLiteral(" refuses");
-    return edge.accepts ? QStringLiteral(", the centre inside")
-                        : QStringLiteral(", the centre outside");
+        return edge.accepts ? u" accepts"_s : u" refuses"_s;
+    return edge.accepts ? u", the centre inside"_s : u", the centre outside"_s;
 }
 
 QString edgeText(const QString &name, const oracle::EdgeVerdict &edge, const TracedScene &traced)
 {
     QStringList distances;
     if (!edge.distanceAlongColumn.isNone())
-        distances.append(toText(edge.distanceAlongColumn) + QStringLiteral(" px along the column"));
+        distances.append(toText(edge.distanceAlongColumn) + u" px along the column"_s);
     if (!edge.distanceAlongRow.isNone())
-        distances.append(toText(edge.distanceAlongRow) + QStringLiteral(" px along the row"));
-    return (mayDecideOtherwise(traced) ? QStringLiteral("    in truth, edge %1%2: %3")
-                                       : QStringLiteral("    edge %1%2: %3"))
+        distances.append(toText(edge.distanceAlongRow) + u" px along the row"_s);
+    return (mayDecideOtherwise(traced) ? u"    in truth, edge %1%2: %3"_s : u"    edge %1%2: %3"_s)
         .arg(name, placeText(edge, traced.antialiasing()),
-             distances.isEmpty() ? QStringLiteral("a point")
-                                 : distances.join(QStringLiteral(", ")));
+             distances.isEmpty() ? u"a point"_s : distances.join(u", "_s));
 }
 
 QString spanText(const PixelAttempt &attempt, const TracedScene &traced)
@@ -72,20 +67,18 @@ QString spanText(const PixelAttempt &attempt, const TracedScene &traced)
     const SpanRecord &span = *attempt.span;
     const SpanWords words = wordsFor(span.place.axis);
     const bool isByArea = traced.antialiasing() == Antialiasing::Area;
-    QString text = QStringLiteral("    ") + spanPlaceText(attempt);
+    QString text = u"    "_s + spanPlaceText(attempt);
     if (span.lower.isNone())
         return text;
     const std::int64_t first = isByArea ? span.firstDrawn : span.firstSample;
     const std::int64_t end = isByArea ? span.endDrawn : span.endSample;
-    const QString exact = hasExactBounds(span, traced.scene.settings.arithmetic)
-        ? QStringLiteral("exact ")
-        : QString();
-    text += QStringLiteral(": %1%2 = %3, %1%4 = %5, ")
-                .arg(exact, words.lower, toText(span.lower), words.upper, toText(span.upper));
+    const QString exact
+        = hasExactBounds(span, traced.scene.settings.arithmetic) ? u"exact "_s : QString();
+    text += u": %1%2 = %3, %1%4 = %5, "_s.arg(exact, words.lower, toText(span.lower), words.upper,
+                                              toText(span.upper));
     if (first >= end)
-        return text + QStringLiteral("no ") + words.samples;
-    text += QStringLiteral("%1%2 %3 … %4")
-                .arg(isByArea ? QStringLiteral("areas on the ") : QString(), words.samples)
+        return text + u"no "_s + words.samples;
+    text += u"%1%2 %3 … %4"_s.arg(isByArea ? u"areas on the "_s : QString(), words.samples)
                 .arg(first)
                 .arg(end - 1);
     return text;
@@ -96,8 +89,7 @@ QString exactText(const Quantity &used, const Quantity &exact)
 {
     if (exact.isNone())
         return {};
-    return QStringLiteral("; exact %1, error %2")
-        .arg(toText(exact), realText(errorOf(used, exact)));
+    return u"; exact %1, error %2"_s.arg(toText(exact), realText(errorOf(used, exact)));
 }
 
 /// The level and the byte written. The exact level is a triangle's; for a shape only the pixels are
@@ -108,17 +100,17 @@ QString channelText(const PixelAttempt &attempt, std::size_t channel)
     const Quantity &exact = attempt.exactColour[channel];
     const std::int64_t level = std::clamp<std::int64_t>(attempt.sample->level[channel], 0, 255);
     const int byte = unpacked(attempt.change.after).channels[channel];
-    QString text = QStringLiteral("    ") + channelLetters[channel];
+    QString text = u"    "_s + channelLetters[channel];
     if (!used.isNone())
-        text += QStringLiteral(" = %1 → %2").arg(toText(used), QString::number(level));
+        text += u" = %1 → %2"_s.arg(toText(used), QString::number(level));
     if (used.isNone() || level != byte)
-        text += QStringLiteral(" → %1").arg(byte);
+        text += u" → %1"_s.arg(byte);
     return text + exactText(used, exact);
 }
 
 QString carriedText(const PixelAttempt::Carried &number)
 {
-    return QStringLiteral("    %1 = %2").arg(number.title, toText(number.used))
+    return u"    %1 = %2"_s.arg(number.title, toText(number.used))
         + exactText(number.used, number.exact);
 }
 
@@ -133,83 +125,81 @@ QJsonValue jsonOf(const Quantity &quantity)
 {
     if (quantity.isNone())
         return {};
-    return QJsonObject{{QStringLiteral("decimal"), jsonOf(quantity.toDouble())},
-                       {QStringLiteral("fraction"), fractionText(quantity)}};
+    return QJsonObject{{u"decimal"_s, jsonOf(quantity.toDouble())},
+                       {u"fraction"_s, fractionText(quantity)}};
 }
 
 /// A number beside the exact one: its value, the exact one, the error.
 QJsonObject jsonOf(const Quantity &used, const Quantity &exact)
 {
-    return {
-        {QStringLiteral("used"), jsonOf(used)},
-        {QStringLiteral("exact"), jsonOf(exact)},
-        {QStringLiteral("error"), exact.isNone() ? QJsonValue() : jsonOf(errorOf(used, exact))}};
+    return {{u"used"_s, jsonOf(used)},
+            {u"exact"_s, jsonOf(exact)},
+            {u"error"_s, exact.isNone() ? QJsonValue() : jsonOf(errorOf(used, exact))}};
 }
 
 QJsonObject spanJson(const PixelAttempt &attempt, Arithmetic arithmetic)
 {
     const SpanRecord &span = *attempt.span;
     const SpanWords words = wordsFor(span.place.axis);
-    QJsonObject json{{QStringLiteral("along"), words.place},
-                     {QStringLiteral("at"), qint64(span.place.coordinate)},
-                     {QStringLiteral("part"), span.place.part + 1},
-                     {QStringLiteral("place"), spanPlaceText(attempt)}};
+    QJsonObject json{{u"along"_s, words.place},
+                     {u"at"_s, qint64(span.place.coordinate)},
+                     {u"part"_s, span.place.part + 1},
+                     {u"place"_s, spanPlaceText(attempt)}};
     if (span.lower.isNone())
         return json;
     json[words.lower] = jsonOf(span.lower);
     json[words.upper] = jsonOf(span.upper);
-    json[QStringLiteral("boundsAreExact")]
-        = arithmetic == Arithmetic::Exact || hasExactBounds(span, arithmetic);
-    json[QStringLiteral("first")] = qint64(span.firstSample);
-    json[QStringLiteral("last")] = qint64(span.endSample - 1);
+    json[u"boundsAreExact"_s] = arithmetic == Arithmetic::Exact || hasExactBounds(span, arithmetic);
+    json[u"first"_s] = qint64(span.firstSample);
+    json[u"last"_s] = qint64(span.endSample - 1);
     return json;
 }
 
 QJsonObject jsonOf(const QString &name, const oracle::EdgeVerdict &edge)
 {
-    return {{QStringLiteral("edge"), name},
-            {QStringLiteral("from"), edge.from},
-            {QStringLiteral("to"), edge.to},
-            {QStringLiteral("accepts"), edge.accepts},
-            {QStringLiteral("edgeFunction"), toText(edge.edgeFunction)},
-            {QStringLiteral("alongColumn"), jsonOf(edge.distanceAlongColumn)},
-            {QStringLiteral("alongRow"), jsonOf(edge.distanceAlongRow)},
-            {QStringLiteral("distance"), jsonOf(edge.distance)}};
+    return {{u"edge"_s, name},
+            {u"from"_s, edge.from},
+            {u"to"_s, edge.to},
+            {u"accepts"_s, edge.accepts},
+            {u"edgeFunction"_s, toText(edge.edgeFunction)},
+            {u"alongColumn"_s, jsonOf(edge.distanceAlongColumn)},
+            {u"alongRow"_s, jsonOf(edge.distanceAlongRow)},
+            {u"distance"_s, jsonOf(edge.distance)}};
 }
 
 QJsonObject jsonOf(const PixelAttempt &attempt, Arithmetic arithmetic)
 {
-    QJsonObject json{{QStringLiteral("kind"), nameOf(attempt.kind)},
-                     {QStringLiteral("primitive"), qint64(attempt.primitive)},
-                     {QStringLiteral("written"), attempt.written},
-                     {QStringLiteral("covered"), attempt.verdict.covered},
-                     {QStringLiteral("reason"), attempt.reason}};
+    QJsonObject json{{u"kind"_s, nameOf(attempt.kind)},
+                     {u"primitive"_s, qint64(attempt.primitive)},
+                     {u"written"_s, attempt.written},
+                     {u"covered"_s, attempt.verdict.covered},
+                     {u"reason"_s, attempt.reason}};
     if (attempt.span)
-        json[QStringLiteral("span")] = spanJson(attempt, arithmetic);
+        json[u"span"_s] = spanJson(attempt, arithmetic);
     if (attempt.hasEdges()) {
         QJsonArray edges;
         for (std::size_t edge = 0; edge < attempt.edgeNames.size(); ++edge)
             edges.append(jsonOf(attempt.edgeNames[edge], attempt.verdict.edges[edge]));
-        json[QStringLiteral("edges")] = edges;
+        json[u"edges"_s] = edges;
     }
     QJsonArray carried;
     for (const PixelAttempt::Carried &number : attempt.carried) {
         QJsonObject entry = jsonOf(number.used, number.exact);
-        entry[QStringLiteral("number")] = number.title;
+        entry[u"number"_s] = number.title;
         carried.append(entry);
     }
     if (!carried.isEmpty())
-        json[QStringLiteral("carried")] = carried;
+        json[u"carried"_s] = carried;
     if (!attempt.written)
         return json;
-    json[QStringLiteral("step")] = qint64(attempt.step + 1);
-    json[QStringLiteral("before")] = colourText(unpacked(attempt.change.before));
-    json[QStringLiteral("after")] = colourText(unpacked(attempt.change.after));
-    json[QStringLiteral("clamped")] = attempt.sample->clamped;
+    json[u"step"_s] = qint64(attempt.step + 1);
+    json[u"before"_s] = colourText(unpacked(attempt.change.before));
+    json[u"after"_s] = colourText(unpacked(attempt.change.after));
+    json[u"clamped"_s] = attempt.sample->clamped;
     for (std::size_t channel = 0; channel < 3; ++channel) {
         QJsonObject entry = jsonOf(attempt.sample->colour[channel], attempt.exactColour[channel]);
-        entry[QStringLiteral("level")] = qint64(attempt.sample->level[channel]);
-        entry[QStringLiteral("byte")] = int(unpacked(attempt.change.after).channels[channel]);
+        entry[u"level"_s] = qint64(attempt.sample->level[channel]);
+        entry[u"byte"_s] = int(unpacked(attempt.change.after).channels[channel]);
         json[QString(channelLetters[channel])] = entry;
     }
     return json;
@@ -222,30 +212,28 @@ QStringList pixelLines(const PixelReport &report)
     const TracedScene &traced = report.traced;
     const Difference difference = traced.differences.at(report.x, report.y);
     const QString truth = report.undrawn.isEmpty()
-        ? QStringLiteral("the truth")
-        : QStringLiteral("the truth of what %1 draws").arg(traced.method->id);
-    QString heading = QStringLiteral("pixel (%1, %2) ").arg(report.x).arg(report.y);
-    heading += QStringLiteral("%1 by %2").arg(colourText(report.colour), traced.method->id);
+        ? u"the truth"_s
+        : u"the truth of what %1 draws"_s.arg(traced.method->id);
+    QString heading = u"pixel (%1, %2) "_s.arg(report.x).arg(report.y);
+    heading += u"%1 by %2"_s.arg(colourText(report.colour), traced.method->id);
     if (traced.trace->isCut())
-        heading += QStringLiteral(", as recorded; the truth is ") + colourText(report.truth);
+        heading += u", as recorded; the truth is "_s + colourText(report.truth);
     else
         heading += difference == Difference::None
-            ? QStringLiteral(", the same as %1").arg(truth)
-            : QStringLiteral(", differs from %1, %2: %3")
-                  .arg(truth, colourText(report.truth), nameOf(difference));
+            ? u", the same as %1"_s.arg(truth)
+            : u", differs from %1, %2: %3"_s.arg(truth, colourText(report.truth),
+                                                 nameOf(difference));
     if (!report.undrawn.isEmpty())
-        heading
-            += QStringLiteral("; the truth of the scene, with %1, is %2")
-                   .arg(report.undrawn.join(QStringLiteral(", ")), colourText(report.truthOfAll));
+        heading += u"; the truth of the scene, with %1, is %2"_s.arg(report.undrawn.join(u", "_s),
+                                                                     colourText(report.truthOfAll));
     QStringList lines = {heading};
     if (report.history.attempts.empty() && report.history.furtherRefusals == 0)
-        lines += QStringLiteral("the scene has nothing that the method draws");
+        lines += u"the scene has nothing that the method draws"_s;
     for (const PixelAttempt &attempt : report.history.attempts) {
-        QString line
-            = QStringLiteral("%1 %2: %3")
-                  .arg(nameOf(attempt.kind), QString::number(attempt.primitive), attempt.reason);
+        QString line = u"%1 %2: %3"_s.arg(nameOf(attempt.kind), QString::number(attempt.primitive),
+                                          attempt.reason);
         if (attempt.written)
-            line.insert(line.indexOf(u':'), QStringLiteral(", step %1").arg(attempt.step + 1));
+            line.insert(line.indexOf(u':'), u", step %1"_s.arg(attempt.step + 1));
         lines.append(line);
         if (attempt.span)
             lines.append(spanText(attempt, traced));
@@ -259,10 +247,10 @@ QStringList pixelLines(const PixelReport &report)
             lines.append(edgeText(attempt.edgeNames[edge], attempt.verdict.edges[edge], traced));
     }
     if (const std::size_t further = report.history.furtherRefusals; further > 0)
-        lines.append((report.history.attempts.empty() ? QStringLiteral("%1 primitives")
-                                                      : QStringLiteral("%1 other primitives"))
-                         .arg(further)
-                     + QStringLiteral(" leave it alone: it lies outside of their boxes"));
+        lines.append(
+            (report.history.attempts.empty() ? u"%1 primitives"_s : u"%1 other primitives"_s)
+                .arg(further)
+            + u" leave it alone: it lies outside of their boxes"_s);
     for (QString &line : lines)
         line = withMinus(line);
     return lines;
@@ -273,15 +261,14 @@ QJsonObject pixelJson(const PixelReport &report)
     QJsonArray attempts;
     for (const PixelAttempt &attempt : report.history.attempts)
         attempts.append(jsonOf(attempt, report.traced.scene.settings.arithmetic));
-    return {
-        {QStringLiteral("x"), qint64(report.x)},
-        {QStringLiteral("y"), qint64(report.y)},
-        {QStringLiteral("colour"), colourText(report.colour)},
-        {QStringLiteral("truth"), colourText(report.truthOfAll)},
-        {QStringLiteral("truthOfWhatIsDrawn"), colourText(report.truth)},
-        {QStringLiteral("difference"), nameOf(report.traced.differences.at(report.x, report.y))},
-        {QStringLiteral("notDrawn"), QJsonArray::fromStringList(report.undrawn)},
-        {QStringLiteral("attempts"), attempts}};
+    return {{u"x"_s, qint64(report.x)},
+            {u"y"_s, qint64(report.y)},
+            {u"colour"_s, colourText(report.colour)},
+            {u"truth"_s, colourText(report.truthOfAll)},
+            {u"truthOfWhatIsDrawn"_s, colourText(report.truth)},
+            {u"difference"_s, nameOf(report.traced.differences.at(report.x, report.y))},
+            {u"notDrawn"_s, QJsonArray::fromStringList(report.undrawn)},
+            {u"attempts"_s, attempts}};
 }
 
 } // namespace pixelplumb::cli

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/cli/commandline.h"
 #include "app/cli/commands.h"
 #include "app/cli/console.h"
-#include "app/cli/options.h"
 #include "core/measure/effecttiming.h"
 #include "core/runs/scenerun.h"
 #include "core/scan/choicenames.h"
@@ -28,14 +28,14 @@ struct PlanReport {
 QString runText(const PlanReport &report, Effect effect)
 {
     if (!report.refusal.isEmpty())
-        return QStringLiteral("refused");
+        return u"refused"_s;
     const EffectPlan &plan = report.plan;
     const EffectForcing &forced = report.forced;
-    QString runs = plan.runs(effect) ? QStringLiteral("yes") : QStringLiteral("no");
+    QString runs = plan.runs(effect) ? u"yes"_s : u"no"_s;
     if (forced[effect] == Forcing::AsCalledFor)
         return runs;
     const bool isInVain = forced[effect] == Forcing::On && !plan.runs(effect);
-    return runs + (isInVain ? QStringLiteral(" (nothing to force)") : QStringLiteral(" (forced)"));
+    return runs + (isInVain ? u" (nothing to force)"_s : u" (forced)"_s);
 }
 
 /// Aligns all columns left except those of numbers.
@@ -49,11 +49,11 @@ QString triangleRange(const EffectBatch &batch)
 {
     QString range = batch.count == 1
         ? QString::number(batch.first)
-        : QStringLiteral("%1 … %2").arg(batch.first).arg(batch.first + batch.count - 1);
+        : u"%1 … %2"_s.arg(batch.first).arg(batch.first + batch.count - 1);
     if (batch.unseen == batch.count)
-        range += QStringLiteral(", not drawn");
+        range += u", not drawn"_s;
     else if (batch.unseen != 0)
-        range += QStringLiteral(", %1 of them not drawn").arg(batch.unseen);
+        range += u", %1 of them not drawn"_s.arg(batch.unseen);
     return range;
 }
 
@@ -66,17 +66,17 @@ Antialiasing antialiasingOf(const EffectPlan &plan)
 QString samplesText(const EffectPlan &plan)
 {
     const QString pixels = plan.antialiasing == Antialiasing::None
-        ? QStringLiteral("in pixels that the border of a line or curve passes")
-        : QStringLiteral("in pixels that an edge passes");
+        ? u"in pixels that the border of a line or curve passes"_s
+        : u"in pixels that an edge passes"_s;
     switch (antialiasingOf(plan)) {
     case Antialiasing::None:
-        return QStringLiteral("one sample a pixel");
+        return u"one sample a pixel"_s;
     case Antialiasing::Samples4:
-        return QStringLiteral("4 samples ") + pixels;
+        return u"4 samples "_s + pixels;
     case Antialiasing::Samples16:
-        return QStringLiteral("16 samples ") + pixels;
+        return u"16 samples "_s + pixels;
     case Antialiasing::Area:
-        return QStringLiteral("exact areas");
+        return u"exact areas"_s;
     }
     return {};
 }
@@ -87,12 +87,12 @@ QStringList batchesText(const std::vector<EffectBatch> &batches)
     if (batches.empty())
         return {};
     constexpr std::size_t mostBatches = 20;
-    std::vector<QStringList> rows = {{QStringLiteral("triangles"), QStringLiteral("what runs")}};
+    std::vector<QStringList> rows = {{u"triangles"_s, u"what runs"_s}};
     for (std::size_t i = 0; i < std::min(batches.size(), mostBatches); ++i)
         rows.push_back({triangleRange(batches[i]), namesOf(batches[i].effects)});
     QStringList lines = aligned(rows, {});
     if (batches.size() > mostBatches)
-        lines.append(QStringLiteral("and %1 more batches").arg(batches.size() - mostBatches));
+        lines.append(u"and %1 more batches"_s.arg(batches.size() - mostBatches));
     return lines;
 }
 
@@ -100,41 +100,38 @@ QStringList batchesText(const std::vector<EffectBatch> &batches)
 QStringList textOf(const EffectTiming &timing)
 {
     std::vector<QStringList> rows
-        = {{QStringLiteral("effect"), QStringLiteral("ns a pixel"),
-            QStringLiteral("operations a pixel"), QStringLiteral("changed pixels"),
-            QStringLiteral("on / off, median (half of the rounds)")}};
+        = {{u"effect"_s, u"ns a pixel"_s, u"operations a pixel"_s, u"changed pixels"_s,
+            u"on / off, median (half of the rounds)"_s}};
     for (const Effect effect : allEffects) {
         const std::optional<EffectCost> &cost = timing.costs[effect];
         if (!cost)
             continue;
         const std::optional<double> operations = timing.operationsPerPixel(*cost);
         rows.push_back({nameText(nameOf(effect)), QString::number(timing.perPixel(*cost), 'f', 2),
-                        operations ? QString::number(*operations, 'f', 2) : QStringLiteral("-"),
+                        operations ? QString::number(*operations, 'f', 2) : u"-"_s,
                         QString::number(cost->changed),
-                        QStringLiteral("%1 (%2 … %3)")
-                            .arg(cost->ratio.median, 0, 'f', 2)
+                        u"%1 (%2 … %3)"_s.arg(cost->ratio.median, 0, 'f', 2)
                             .arg(cost->ratio.lower, 0, 'f', 2)
                             .arg(cost->ratio.upper, 0, 'f', 2)});
     }
     return QStringList{QString()} + aligned(rows, {1, 2, 3})
         + QStringList{
-            QStringLiteral("Each effect on against off, the others as called for, by the "
-                           "plain kernels: %1 rounds in turn. An effect that is not "
-                           "listed draws the same either way, or the method cannot do it.")
-                .arg(timing.rounds)};
+            u"Each effect on against off, the others as called for, by the plain kernels: %1 "
+            "rounds in turn. An effect that is not listed draws the same either way, or the method "
+            "cannot do it."_s.arg(timing.rounds)};
 }
 
 QJsonObject jsonOf(const EffectTiming &timing, const EffectCost &cost)
 {
-    QJsonObject object{{QStringLiteral("nanosecondsPerPixel"), timing.perPixel(cost)},
-                       {QStringLiteral("changedPixels"), qint64(cost.changed)},
-                       {QStringLiteral("rounds"), timing.rounds},
-                       {QStringLiteral("ratio"),
-                        QJsonObject{{QStringLiteral("lower"), cost.ratio.lower},
-                                    {QStringLiteral("median"), cost.ratio.median},
-                                    {QStringLiteral("upper"), cost.ratio.upper}}}};
+    QJsonObject object{{u"nanosecondsPerPixel"_s, timing.perPixel(cost)},
+                       {u"changedPixels"_s, qint64(cost.changed)},
+                       {u"rounds"_s, timing.rounds},
+                       {u"ratio"_s,
+                        QJsonObject{{u"lower"_s, cost.ratio.lower},
+                                    {u"median"_s, cost.ratio.median},
+                                    {u"upper"_s, cost.ratio.upper}}}};
     if (const auto operations = timing.operationsPerPixel(cost))
-        object.insert(QStringLiteral("operationsPerPixel"), *operations);
+        object.insert(u"operationsPerPixel"_s, *operations);
     return object;
 }
 
@@ -143,9 +140,8 @@ QJsonObject jsonOf(const EffectTiming &timing, const EffectCost &cost)
 QStringList textOf(const PlanReport &report)
 {
     const EffectPlan &plan = report.plan;
-    std::vector<QStringList> rows = {{QStringLiteral("effect"), QStringLiteral("verdict"),
-                                      QStringLiteral("runs"), QStringLiteral("primitives"),
-                                      QStringLiteral("pixels at most"), QStringLiteral("reason")}};
+    std::vector<QStringList> rows = {
+        {u"effect"_s, u"verdict"_s, u"runs"_s, u"primitives"_s, u"pixels at most"_s, u"reason"_s}};
     for (const Effect effect : allEffects) {
         const EffectVerdict &verdict = plan.verdicts[effect];
         rows.push_back({nameText(nameOf(effect)), nameText(nameOf(verdict.verdict)),
@@ -158,8 +154,7 @@ QStringList textOf(const PlanReport &report)
     lines.append(QString());
     lines.append(samplesText(plan));
     if (plan.vertexLight)
-        lines.append(
-            QStringLiteral("light in set-up, into the vertices' colours, before what follows"));
+        lines.append(u"light in set-up, into the vertices' colours, before what follows"_s);
     lines.append(batchesText(plan.batches));
     if (report.timing)
         lines.append(textOf(*report.timing));
@@ -173,17 +168,15 @@ QJsonObject jsonOf(const PlanReport &report)
     QJsonArray effects;
     for (const Effect effect : allEffects) {
         const EffectVerdict &verdict = plan.verdicts[effect];
-        QJsonObject object{
-            {QStringLiteral("effect"), nameText(nameOf(effect))},
-            {QStringLiteral("verdict"), nameText(nameOf(verdict.verdict))},
-            {QStringLiteral("reason"), verdict.reason},
-            {QStringLiteral("primitives"), qint64(verdict.primitives)},
-            {QStringLiteral("mostPixels"), qint64(verdict.pixels)},
-            {QStringLiteral("forced"), report.forced[effect] != Forcing::AsCalledFor},
-            {QStringLiteral("runs"), !isRefused && plan.runs(effect)}};
+        QJsonObject object{{u"effect"_s, nameText(nameOf(effect))},
+                           {u"verdict"_s, nameText(nameOf(verdict.verdict))},
+                           {u"reason"_s, verdict.reason},
+                           {u"primitives"_s, qint64(verdict.primitives)},
+                           {u"mostPixels"_s, qint64(verdict.pixels)},
+                           {u"forced"_s, report.forced[effect] != Forcing::AsCalledFor},
+                           {u"runs"_s, !isRefused && plan.runs(effect)}};
         if (report.timing && report.timing->costs[effect])
-            object.insert(QStringLiteral("measured"),
-                          jsonOf(*report.timing, *report.timing->costs[effect]));
+            object.insert(u"measured"_s, jsonOf(*report.timing, *report.timing->costs[effect]));
         effects.append(object);
     }
     QJsonArray batches;
@@ -193,16 +186,16 @@ QJsonObject jsonOf(const PlanReport &report)
             if (contains(batch.effects, effect))
                 names.append(nameText(nameOf(effect)));
         }
-        batches.append(QJsonObject{{QStringLiteral("first"), qint64(batch.first)},
-                                   {QStringLiteral("count"), qint64(batch.count)},
-                                   {QStringLiteral("notDrawn"), qint64(batch.unseen)},
-                                   {QStringLiteral("effects"), names}});
+        batches.append(QJsonObject{{u"first"_s, qint64(batch.first)},
+                                   {u"count"_s, qint64(batch.count)},
+                                   {u"notDrawn"_s, qint64(batch.unseen)},
+                                   {u"effects"_s, names}});
     }
-    QJsonObject object{{QStringLiteral("effects"), effects}, {QStringLiteral("batches"), batches}};
+    QJsonObject object{{u"effects"_s, effects}, {u"batches"_s, batches}};
     if (isRefused)
-        object.insert(QStringLiteral("refused"), report.refusal);
+        object.insert(u"refused"_s, report.refusal);
     else
-        object.insert(QStringLiteral("antialiasing"), samplesText(plan));
+        object.insert(u"antialiasing"_s, samplesText(plan));
     return object;
 }
 
@@ -210,11 +203,10 @@ QJsonObject jsonOf(const PlanReport &report)
 
 ExitCode plan(const Command &command, const QStringList &arguments)
 {
-    const QString measureOption = QStringLiteral("measure");
+    const QString measureOption = u"measure"_s;
     CommandLine line(command, {scenePositional()});
     line.addOption({measureOption,
-                    QStringLiteral("Measure, too, what each effect costs: it is drawn on and off "
-                                   "in turn.")});
+                    u"Measure, too, what each effect costs: it is drawn on and off in turn."_s});
     line.addJsonOption();
     addSettingOptions(line);
     line.parse(arguments);

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/cli/commandline.h"
 #include "app/cli/commands.h"
 #include "app/cli/console.h"
 #include "app/cli/files.h"
-#include "app/cli/options.h"
 #include "core/layers/layer.h"
 #include "core/layers/layerpainter.h"
 #include "core/scene/scenefile.h"
@@ -14,11 +14,11 @@ namespace pixelplumb::cli {
 
 namespace {
 
-const QString layersOption = QStringLiteral("layers");
-const QString positionOption = QStringLiteral("position");
-const QString triangleOption = QStringLiteral("triangle");
-const QString imageOption = QStringLiteral("affine-image");
-const QString affineLayer = QStringLiteral("affine-map");
+const QString layersOption = u"layers"_s;
+const QString positionOption = u"position"_s;
+const QString triangleOption = u"triangle"_s;
+const QString imageOption = u"affine-image"_s;
+const QString affineLayer = u"affine-map"_s;
 
 QStringList layerNames()
 {
@@ -31,8 +31,8 @@ QStringList layerNames()
 /// Reads "40,12 10,8 30,40"; snapped coordinates are reported on stderr.
 Corners cornersFrom(const QString &text)
 {
-    const InputError refused{QStringLiteral("--") + imageOption, text,
-                             QStringLiteral("three points such as “40,12 10,8 30,40”")};
+    const InputError refused{u"--"_s + imageOption, text,
+                             u"three points such as “40,12 10,8 30,40”"_s};
     const QStringList points = text.split(u' ', Qt::SkipEmptyParts);
     Corners corners;
     QStringList reports;
@@ -47,7 +47,7 @@ Corners cornersFrom(const QString &text)
         if (!x || !y)
             refuse(refused);
         corners[i] = {x->units, y->units};
-        const QString place = QStringLiteral("--%1, point %2, ").arg(imageOption).arg(i + 1);
+        const QString place = u"--%1, point %2, "_s.arg(imageOption).arg(i + 1);
         if (x->isDisplaced())
             reports += SnapReport{place + u'x', coordinates[0], *x, &coordinateFormat}.message();
         if (y->isDisplaced())
@@ -70,7 +70,7 @@ void paintLayers(QImage &picture, const LayerRequest &request, const LayerView &
 {
     for (const QString &id : request.layers) {
         if (const QString why = layerNamed(id)->objection(view.traced->scene); !why.isEmpty())
-            sayLine(QStringLiteral("--layers %1: %2").arg(id, why));
+            sayLine(u"--layers %1: %2"_s.arg(id, why));
     }
     const LayerDrawing drawing = drawingOf(request.layers, view);
     for (const QString &note : drawing.notes)
@@ -90,49 +90,48 @@ void paintLayers(QImage &picture, const LayerRequest &request, const LayerView &
 
 void addLayerOptions(CommandLine &line)
 {
-    const QString number = QStringLiteral("number");
-    line.addOption({layersOption,
-                    QStringLiteral("Draw figures of the course texts over the picture, from the "
-                                   "numbers of the run; separated by commas, any of: %1.")
-                        .arg(layerNames().join(QStringLiteral(", "))),
-                    QStringLiteral("names")});
-    line.addOption({positionOption,
-                    QStringLiteral("Draw the picture as it is when this many steps of the run are "
-                                   "done; all if left out."),
-                    number});
-    line.addOption({triangleOption,
-                    QStringLiteral("Draw the layers of this primitive, counted from 0, in place of "
-                                   "that of the last step."),
-                    number});
-    line.addOption({imageOption,
-                    QStringLiteral("Where the layer affine-map takes the triangle's corners, in "
-                                   "the order of the file: three points of x,y px."),
-                    QStringLiteral("points")});
+    const QString number = u"number"_s;
+    line.addOption(
+        {layersOption,
+         u"Draw figures of the course texts over the picture, from the numbers of the run; "
+         "separated by commas, any of: %1."_s.arg(layerNames().join(u", "_s)),
+         u"names"_s});
+    line.addOption(
+        {positionOption,
+         u"Draw the picture as it is when this many steps of the run are done; all if left out."_s,
+         number});
+    line.addOption(
+        {triangleOption,
+         u"Draw the layers of this primitive, counted from 0, in place of that of the last step."_s,
+         number});
+    line.addOption(
+        {imageOption,
+         u"Where the layer affine-map takes the triangle's corners, in the order of the file: "
+         "three points of x,y px."_s,
+         u"points"_s});
 }
 
 LayerRequest layerRequestFrom(const CommandLine &line)
 {
     LayerRequest request;
-    const QString place = QStringLiteral("--") + layersOption;
+    const QString place = u"--"_s + layersOption;
     if (line.isSet(layersOption))
         request.layers = line.value(layersOption).split(u',');
     for (const QString &id : request.layers) {
         if (!layerNamed(id))
-            refuseUnknown(place, QStringLiteral("layer"), id, layerNames());
+            refuseUnknown(place, u"layer"_s, id, layerNames());
         if (request.layers.count(id) > 1)
-            refuse({place, QStringLiteral("“%1” is named twice").arg(id),
-                    QStringLiteral("each layer once")});
+            refuse({place, u"“%1” is named twice"_s.arg(id), u"each layer once"_s});
     }
     request.position = wholeNumberOf(line, positionOption, {});
     request.primitive = wholeNumberOf(line, triangleOption, {});
     if (request.primitive && request.layers.isEmpty())
-        refuse({QStringLiteral("--") + triangleOption,
-                QStringLiteral("there are no layers to tell of it"), place});
+        refuse({u"--"_s + triangleOption, u"there are no layers to tell of it"_s, place});
     if (!line.isSet(imageOption))
         return request;
     if (!request.layers.contains(affineLayer))
-        refuse({QStringLiteral("--") + imageOption, QStringLiteral("there is no layer to draw it"),
-                QStringLiteral("--layers affine-map")});
+        refuse(
+            {u"--"_s + imageOption, u"there is no layer to draw it"_s, u"--layers affine-map"_s});
     request.affineImage = cornersFrom(line.value(imageOption));
     return request;
 }
@@ -142,10 +141,10 @@ QImage pictureWithLayers(const SceneRun &run, const LayerRequest &request, std::
     const auto traced = tracedWithProgress(run);
     const ScanTrace &trace = *traced->trace;
     if (request.position && std::size_t(*request.position) > trace.stepCount())
-        refuse({QStringLiteral("--") + positionOption, QString::number(*request.position),
-                QStringLiteral("an integer from 0 to %1").arg(trace.stepCount())});
+        refuse({u"--"_s + positionOption, QString::number(*request.position),
+                u"an integer from 0 to %1"_s.arg(trace.stepCount())});
     if (request.primitive)
-        wholeNumber(QStringLiteral("--") + triangleOption, QString::number(*request.primitive),
+        wholeNumber(u"--"_s + triangleOption, QString::number(*request.primitive),
                     primitivesOf(trace));
     LayerView view;
     view.traced = traced.get();

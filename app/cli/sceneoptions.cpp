@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/cli/commandline.h"
 #include "app/cli/console.h"
 #include "app/cli/files.h"
-#include "app/cli/options.h"
 #include "core/grade/bugs/defect.h"
 #include "core/runs/clampeddepths.h"
 #include "core/runs/scenerun.h"
@@ -35,22 +35,19 @@ VariantSet chosenVariants(const CommandLine &line, VariantSet unset)
         return variants;
     for (const QString &name : list.split(u',')) {
         if (name.trimmed() == noVariant)
-            refuse({QStringLiteral("--") + variantOption,
-                    QStringLiteral("“none” stands beside other names"),
-                    QStringLiteral("none alone, or variants alone")});
+            refuse({u"--"_s + variantOption, u"“none” stands beside other names"_s,
+                    u"none alone, or variants alone"_s});
         const auto variant = variantNamed(name.trimmed().toStdString());
         if (!variant)
-            refuseUnknown(QStringLiteral("--") + variantOption, QStringLiteral("name"), name,
+            refuseUnknown(u"--"_s + variantOption, u"name"_s, name,
                           namesOf(allVariants) + QStringList{noVariant});
         if (variants.contains(*variant))
-            refuse({QStringLiteral("--") + variantOption,
-                    QStringLiteral("“%1” is named twice").arg(name.trimmed()),
-                    QStringLiteral("each variant once")});
+            refuse({u"--"_s + variantOption, u"“%1” is named twice"_s.arg(name.trimmed()),
+                    u"each variant once"_s});
         variants = variants.with(*variant);
     }
     if (undoEachOther(variants))
-        refuse({QStringLiteral("--") + variantOption, undoingText(),
-                QStringLiteral("one of them, or none")});
+        refuse({u"--"_s + variantOption, undoingText(), u"one of them, or none"_s});
     return variants;
 }
 
@@ -60,58 +57,50 @@ void reportSnaps(const QString &path, const SnapReports &snaps)
     constexpr std::size_t mostReported = 5;
     const std::size_t reported = std::min(snaps.size(), mostReported);
     for (std::size_t index = 0; index < reported; ++index)
-        sayLine(path + QStringLiteral(": ") + snaps[index].message());
+        sayLine(path + u": "_s + snaps[index].message());
     if (snaps.size() > reported)
-        sayLine(QStringLiteral("%1: %2 more like these: coordinates are rounded to 1/256 px, "
-                               "attributes to 2^-24")
-                    .arg(path, QString::number(snaps.size() - reported)));
+        sayLine(
+            u"%1: %2 more like these: coordinates are rounded to 1/256 px, attributes to 2^-24"_s
+                .arg(path, QString::number(snaps.size() - reported)));
 }
 
 QString drawsNoneText(const Scene &scene)
 {
-    return QStringLiteral("method “%1” draws none of the primitives")
-        .arg(QString::fromStdString(scene.method));
+    return u"method “%1” draws none of the primitives"_s.arg(QString::fromStdString(scene.method));
 }
 
 } // namespace
 
 Positional scenePositional()
 {
-    return {QStringLiteral("SCENE"),
-            QStringLiteral("a scene file (JSON), or - for standard input")};
+    return {u"SCENE"_s, u"a scene file (JSON), or - for standard input"_s};
 }
 
 Positional scenesPositional()
 {
-    return {QStringLiteral("SCENE"), QStringLiteral("scene files (JSON), or - for standard input"),
+    return {u"SCENE"_s, u"scene files (JSON), or - for standard input"_s,
             Positional::Presence::Several};
 }
 
 void addSettingOptions(CommandLine &line)
 {
-    const QString name = QStringLiteral("name");
-    line.addOption(
-        {methodOption, QStringLiteral("How to scan-convert; see the command methods."), name});
+    const QString name = u"name"_s;
+    line.addOption({methodOption, u"How to scan-convert; see the command methods."_s, name});
     line.addOption({arithmeticOption,
-                    QStringLiteral("What to compute in: ")
-                        + namesOf(allArithmetics).join(QStringLiteral(", ")) + u'.',
+                    u"What to compute in: "_s + namesOf(allArithmetics).join(u", "_s) + u'.',
                     name});
-    line.addOption({fillRuleOption,
-                    QStringLiteral("Who owns a sample on an edge: ")
-                        + namesOf(allFillRules).join(QStringLiteral(", ")) + u'.',
-                    name});
-    line.addOption({roundingOption,
-                    QStringLiteral("How a level becomes a byte: ")
-                        + namesOf(allByteRoundings).join(QStringLiteral(", ")) + u'.',
-                    name});
-    line.addOption({frameOption,
-                    QStringLiteral("Which frame of a moving scene to use, from 0; 0 if left out."),
-                    QStringLiteral("number")});
+    line.addOption(
+        {fillRuleOption,
+         u"Who owns a sample on an edge: "_s + namesOf(allFillRules).join(u", "_s) + u'.', name});
+    line.addOption(
+        {roundingOption,
+         u"How a level becomes a byte: "_s + namesOf(allByteRoundings).join(u", "_s) + u'.', name});
+    line.addOption({frameOption, u"Which frame of a moving scene to use, from 0; 0 if left out."_s,
+                    u"number"_s});
     line.addOption(
         {variantOption,
-         QStringLiteral("Depart from the right algorithm, to see what that does; several "
-                        "with commas: ")
-             + namesOf(allVariants).join(QStringLiteral(", ")) + u'.',
+         u"Depart from the right algorithm, to see what that does; several with commas: "_s
+             + namesOf(allVariants).join(u", "_s) + u'.',
          name});
     addForceOption(line);
 }
@@ -129,9 +118,8 @@ const Method *chosenMethod(const CommandLine &line, const QString &unset)
     const QString id = line.isSet(methodOption) ? line.value(methodOption) : unset;
     if (const Method *method = methodNamed(id))
         return method;
-    refuseUnknownAmongMany(QStringLiteral("--") + methodOption, QStringLiteral("name"), id,
-                           methodIds(),
-                           QStringLiteral("a method that “pixelplumb-cli methods” lists"));
+    refuseUnknownAmongMany(u"--"_s + methodOption, u"name"_s, id, methodIds(),
+                           u"a method that “pixelplumb-cli methods” lists"_s);
 }
 
 Arithmetic chosenArithmetic(const CommandLine &line, Arithmetic unset)
@@ -149,7 +137,7 @@ std::optional<InputError> refusalOf(const SceneRun &run, const QString &path)
     const QString objection = objectionTo(run);
     if (objection.isEmpty())
         return std::nullopt;
-    return InputError{path, QStringLiteral("method “%1” %2").arg(run.method->id, objection), {}};
+    return InputError{path, u"method “%1” %2"_s.arg(run.method->id, objection), {}};
 }
 
 SceneReading sceneIn(const QByteArray &text, const QString &path)
@@ -194,12 +182,10 @@ Scene underOptions(const CommandLine &line, SceneReading reading, const QString 
     const auto rounding = chosen(line, roundingOption, allByteRoundings, scene.settings.rounding);
     if (line.isSet(frameOption)) {
         if (!scene.motion)
-            refuse({QStringLiteral("--") + frameOption,
-                    QStringLiteral("%1 does not move").arg(path),
-                    QStringLiteral("a scene with “motion”")});
-        const auto frame
-            = wholeNumberOf(line, frameOption,
-                            {0, scene.motion->frames - 1, QStringLiteral("no frame of the scene")});
+            refuse({u"--"_s + frameOption, u"%1 does not move"_s.arg(path),
+                    u"a scene with “motion”"_s});
+        const auto frame = wholeNumberOf(line, frameOption,
+                                         {0, scene.motion->frames - 1, u"no frame of the scene"_s});
         scene = sceneAtFrame(scene, int(*frame));
     }
     scene.method = method->id.toStdString();
@@ -223,11 +209,11 @@ SceneRun readScene(const CommandLine &line, const QString &path)
     refuseIf(refusalOf(run, path));
     // A scene may name a method for things yet to be drawn; this explains the empty picture.
     if (!drawsAnyOf(scene))
-        sayLine(QStringLiteral("%1: %2; see `pixelplumb-cli methods` for one that does")
-                    .arg(path, drawsNoneText(scene)));
+        sayLine(u"%1: %2; see `pixelplumb-cli methods` for one that does"_s.arg(
+            path, drawsNoneText(scene)));
     if (scene.appearance.depthFormat != DepthFormat::Exact) {
         if (const QString clamped = clampedDepthsText(run.primitives); !clamped.isEmpty())
-            sayLine(path + QStringLiteral(": ") + clamped);
+            sayLine(path + u": "_s + clamped);
     }
     return run;
 }
@@ -249,7 +235,7 @@ void refuseToJudgeBy(const Scene &scene, const QString &path)
 {
     if (!drawsAnyOf(scene))
         refuse({path, drawsNoneText(scene),
-                QStringLiteral("a method that draws one, in the scene or as --method")});
+                u"a method that draws one, in the scene or as --method"_s});
 }
 
 SceneRun runWithProgress(const Scene &scene)
@@ -269,8 +255,7 @@ std::shared_ptr<const TracedScene> tracedWithProgress(SceneRun run)
 
 WholeRange primitivesOf(const ScanTrace &trace)
 {
-    return {0, std::int64_t(trace.primitiveCount()) - 1,
-            QStringLiteral("no primitive of the scene")};
+    return {0, std::int64_t(trace.primitiveCount()) - 1, u"no primitive of the scene"_s};
 }
 
 void reportRejections(const QString &drawnBy, const std::vector<RejectedPrimitive> &rejected)
@@ -278,10 +263,10 @@ void reportRejections(const QString &drawnBy, const std::vector<RejectedPrimitiv
     constexpr std::size_t mostReported = 5;
     const std::size_t reported = std::min(rejected.size(), mostReported);
     for (std::size_t i = 0; i < reported; ++i)
-        sayLine(drawnBy + QStringLiteral(": ") + rejected[i].message());
+        sayLine(drawnBy + u": "_s + rejected[i].message());
     if (rejected.size() > reported)
-        sayLine(QStringLiteral("%1: %2 more primitives are not drawn")
-                    .arg(drawnBy, QString::number(rejected.size() - reported)));
+        sayLine(u"%1: %2 more primitives are not drawn"_s.arg(
+            drawnBy, QString::number(rejected.size() - reported)));
 }
 
 } // namespace pixelplumb::cli

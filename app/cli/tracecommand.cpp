@@ -3,7 +3,6 @@
 #include "app/cli/commands.h"
 #include "app/cli/console.h"
 #include "app/cli/files.h"
-#include "app/cli/options.h"
 #include "core/export/traceexport.h"
 #include "core/space/vertexlight.h"
 
@@ -34,38 +33,33 @@ std::optional<std::int64_t> coordinate(const CommandLine &line, const QString &o
 {
     if (!line.isSet(option))
         return std::nullopt;
-    const QString place = QStringLiteral("--") + option;
+    const QString place = u"--"_s + option;
     if (level == TraceLevel::Stage || level == TraceLevel::SetUp)
         refuse({place,
-                level == TraceLevel::Stage ? QStringLiteral("a stage has no place in the frame")
-                                           : QStringLiteral("a primitive's set-up has no place"),
-                QStringLiteral("--level column or --level pixel")});
+                level == TraceLevel::Stage ? u"a stage has no place in the frame"_s
+                                           : u"a primitive's set-up has no place"_s,
+                u"--level column or --level pixel"_s});
     const bool isX = option == xOption;
     if (level == TraceLevel::Column
         && !hasSpansAlong(*traced.trace, isX ? SpanAxis::Column : SpanAxis::Row))
-        refuse(
-            {place,
-             QStringLiteral("“%1” walks along no such %2")
-                 .arg(traced.method->id, isX ? QStringLiteral("columns") : QStringLiteral("rows")),
-             QStringLiteral("--level pixel, or the other coordinate")});
+        refuse({place,
+                u"“%1” walks along no such %2"_s.arg(traced.method->id,
+                                                     isX ? u"columns"_s : u"rows"_s),
+                u"--level pixel, or the other coordinate"_s});
     const FrameSpec &frame = traced.scene.frame;
     const std::int64_t first = isX ? frame.firstColumn : frame.firstRow;
     const std::int64_t size = isX ? frame.width : frame.height;
-    return wholeNumberOf(line, option,
-                         {first, first + size - 1, QStringLiteral("outside the frame")});
+    return wholeNumberOf(line, option, {first, first + size - 1, u"outside the frame"_s});
 }
 
 /// --triangle, --x and --y, which choose rows of a trace's table.
 void addRowOptions(CommandLine &line)
 {
-    const QString number = QStringLiteral("number");
-    line.addOption({primitiveOption,
-                    QStringLiteral("Print the rows of this primitive alone, counted from 0."),
-                    number});
+    const QString number = u"number"_s;
     line.addOption(
-        {xOption, QStringLiteral("Print the rows of this column of the frame alone."), number});
-    line.addOption(
-        {yOption, QStringLiteral("Print the rows of this row of the frame alone."), number});
+        {primitiveOption, u"Print the rows of this primitive alone, counted from 0."_s, number});
+    line.addOption({xOption, u"Print the rows of this column of the frame alone."_s, number});
+    line.addOption({yOption, u"Print the rows of this row of the frame alone."_s, number});
 }
 
 /// The chosen rows; refuses an option that names what the run or the table lacks.
@@ -80,33 +74,6 @@ RowChoice chosenRows(const CommandLine &line, const TracedScene &traced, TraceLe
     return rows;
 }
 
-template <class Choice, std::size_t count>
-using ChoiceNames = std::array<std::pair<const char *, Choice>, count>;
-
-constexpr ChoiceNames<TraceLevel, 4> levelNames = {{{"setup", TraceLevel::SetUp},
-                                                    {"column", TraceLevel::Column},
-                                                    {"pixel", TraceLevel::Pixel},
-                                                    {"stage", TraceLevel::Stage}}};
-constexpr ChoiceNames<TableFormat, 3> formatNames
-    = {{{"text", TableFormat::Text}, {"csv", TableFormat::Csv}, {"json", TableFormat::Json}}};
-
-template <class Choice, std::size_t count>
-Choice chosen(const CommandLine &line, const QString &option, Choice unset,
-              const ChoiceNames<Choice, count> &choices)
-{
-    if (!line.isSet(option))
-        return unset;
-    const QString word = line.value(option);
-    QStringList names;
-    for (const auto &choice : choices) {
-        names.append(QString::fromLatin1(choice.first));
-        if (names.back() == word)
-            return choice.second;
-    }
-    refuseUnknownAmongMany(QStringLiteral("--") + option, QStringLiteral("name"), word, names,
-                           names.join(QStringLiteral(", ")));
-}
-
 /// Text for a person at a terminal, CSV for a pipe or a file.
 TableFormat formatFor(const QString &output)
 {
@@ -116,25 +83,23 @@ TableFormat formatFor(const QString &output)
 
 QStringList chosenColumns(const CommandLine &line, const TraceNumbers &numbers, TraceLevel level)
 {
-    const QString option = QStringLiteral("columns");
+    const QString option = u"columns"_s;
     if (!line.isSet(option))
         return QStringList();
     const QStringList names = traceColumnNames(numbers, level);
-    const QString place = QStringLiteral("--") + option;
+    const QString place = u"--"_s + option;
     QStringList columns;
     for (const QString &word : line.value(option).split(u',')) {
         const QString written = word.trimmed();
         if (written.isEmpty())
-            refuse({place, QStringLiteral("a name is missing"),
-                    QStringLiteral("names separated by commas, of ")
-                        + names.join(QStringLiteral(", "))});
+            refuse({place, u"a name is missing"_s,
+                    u"names separated by commas, of "_s + names.join(u", "_s)});
         const QString name = traceColumnNamed(numbers, level, written);
         if (name.isEmpty())
-            refuseUnknown(place, QStringLiteral("column"), written, names);
+            refuseUnknown(place, u"column"_s, written, names);
         // A second column of the same name would be lost to readers that go by name.
         if (columns.contains(name))
-            refuse({place, QStringLiteral("“%1” is named twice").arg(written),
-                    QStringLiteral("each column once")});
+            refuse({place, u"“%1” is named twice"_s.arg(written), u"each column once"_s});
         columns.append(name);
     }
     return columns;
@@ -142,15 +107,9 @@ QStringList chosenColumns(const CommandLine &line, const TraceNumbers &numbers, 
 
 QString suffixOf(TableFormat format)
 {
-    switch (format) {
-    case TableFormat::Text:
-        return QStringLiteral("txt");
-    case TableFormat::Csv:
-        return QStringLiteral("csv");
-    case TableFormat::Json:
-        break;
-    }
-    return QStringLiteral("json");
+    return format == TableFormat::Text ? u"txt"_s
+        : format == TableFormat::Csv   ? u"csv"_s
+                                       : u"json"_s;
 }
 
 /// What is written about each scene.
@@ -168,21 +127,19 @@ ExitCode traceTo(const CommandLine &line, const TraceRequest &request, const Nam
     // The columns depend on the effects that the scene calls for, known only now.
     const QStringList columns = chosenColumns(line, traced->trace->numbers(), request.level);
     const RowChoice rows = chosenRows(line, *traced, request.level);
-    reportRejections(path + QStringLiteral(", ") + traced->method->id, rejectedPrimitives(*traced));
+    reportRejections(path + u", "_s + traced->method->id, rejectedPrimitives(*traced));
 
-    if (line.isSet(QStringLiteral("decimal")) && request.format != TableFormat::Text)
-        refuse({QStringLiteral("--decimal"),
-                QStringLiteral("only a table as text is printed in one kind of number"),
-                QStringLiteral("--format text")});
+    if (line.isSet(u"decimal"_s) && request.format != TableFormat::Text)
+        refuse({u"--decimal"_s, u"only a table as text is printed in one kind of number"_s,
+                u"--format text"_s});
     Output output(outputPath);
     output.open();
     TraceExportOptions options{request.level, request.format};
     options.columns = columns;
     options.rows = rows;
-    if (line.isSet(QStringLiteral("frame")))
-        options.frame = line.value(QStringLiteral("frame")).toInt();
-    options.textNumbers
-        = line.isSet(QStringLiteral("decimal")) ? TextNumbers::Decimal : TextNumbers::Mixed;
+    if (line.isSet(u"frame"_s))
+        options.frame = line.value(u"frame"_s).toInt();
+    options.textNumbers = line.isSet(u"decimal"_s) ? TextNumbers::Decimal : TextNumbers::Mixed;
     const bool written = withProgress([&](const ProgressListener &listener) {
         options.progress = listener;
         return exportTrace(*traced, options, output.device());
@@ -193,13 +150,11 @@ ExitCode traceTo(const CommandLine &line, const TraceRequest &request, const Nam
     if (request.level == TraceLevel::Stage && !named.run->scene.hasSolids()
         && !lightsVertices(named.run->scene.appearance))
         sayLine(
-            QStringLiteral("%1: no stages: there is no solid in it that comes from space to the "
-                           "frame, and no light at vertices")
-                .arg(path));
+            u"%1: no stages: there is no solid in it that comes from space to the frame, and no "
+            "light at vertices"_s.arg(path));
     if (traced->trace->isCut()) {
-        sayLine(QStringLiteral("The trace is incomplete: recording ended at its limit after %1 "
-                               "pixels in %2 columns.")
-                    .arg(traced->trace->sampleCount())
+        sayLine(u"The trace is incomplete: recording ended at its limit after %1 pixels in %2 "
+                "columns."_s.arg(traced->trace->sampleCount())
                     .arg(traced->trace->spanCount()));
         return ExitCode::FallsShort;
     }
@@ -210,36 +165,35 @@ ExitCode traceTo(const CommandLine &line, const TraceRequest &request, const Nam
 
 ExitCode trace(const Command &command, const QStringList &arguments)
 {
-    const QString levelOption = QStringLiteral("level");
-    const QString formatOption = QStringLiteral("format");
-    const QString outputOption = QStringLiteral("output");
+    const QString levelOption = u"level"_s;
+    const QString outputOption = u"output"_s;
     CommandLine line(command, {scenesPositional()});
-    line.addOption({levelOption,
-                    QStringLiteral("A row a primitive, a column of the scan, a pixel, or a number "
-                                   "on a solid's way from space to the frame: setup, column, "
-                                   "pixel, stage; column if left out."),
-                    QStringLiteral("level")});
-    line.addOption({formatOption,
-                    QStringLiteral("text (aligned), csv or json; if left out, text on a terminal, "
-                                   "else csv."),
-                    QStringLiteral("format")});
-    line.addOption({QStringLiteral("columns"),
-                    QStringLiteral("Print these columns alone, named as in the header of the CSV "
-                                   "or of the text: a,b,c."),
-                    QStringLiteral("names")});
     line.addOption(
-        {QStringLiteral("decimal"), QStringLiteral("In text, print 5.129630 instead of 5 7/54.")});
-    line.addOption({{QStringLiteral("o"), outputOption},
-                    QStringLiteral("Write to a file; - is standard output. A folder, DIR/, gets "
-                                   "each scene's table under the scene's name."),
-                    QStringLiteral("file"),
-                    QStringLiteral("-")});
+        {levelOption,
+         u"A row a primitive, a column of the scan, a pixel, or a number on a solid's way from "
+         "space to the frame: setup, column, pixel, stage; column if left out."_s,
+         u"level"_s});
+    line.addOption({u"format"_s,
+                    u"text (aligned), csv or json; if left out, text on a terminal, else csv."_s,
+                    u"format"_s});
+    line.addOption(
+        {u"columns"_s,
+         u"Print these columns alone, named as in the header of the CSV or of the text: a,b,c."_s,
+         u"names"_s});
+    line.addOption({u"decimal"_s, u"In text, print 5.129630 instead of 5 7/54."_s});
+    line.addOption(
+        {{u"o"_s, outputOption},
+         u"Write to a file; - is standard output. A folder, DIR/, gets each scene's table under "
+         "the scene's name."_s,
+         u"file"_s,
+         u"-"_s});
     addRowOptions(line);
     addSettingOptions(line);
     line.parse(arguments);
-    const TraceLevel level = chosen(line, levelOption, TraceLevel::Column, levelNames);
-    const TableFormat format
-        = chosen(line, formatOption, formatFor(line.value(outputOption)), formatNames);
+    const QStringList levels = {u"setup"_s, u"column"_s, u"pixel"_s, u"stage"_s};
+    const auto level = TraceLevel(chosenName(line, levelOption, levels, levelOption)
+                                      .value_or(std::size_t(TraceLevel::Column)));
+    const TableFormat format = chosenTableFormat(line, formatFor(line.value(outputOption)));
     const auto outputs = outputPaths(line.value(outputOption), line.arguments(), suffixOf(format));
     const TraceRequest request{level, format};
     ExitCode code = ExitCode::Done;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/cli/commandline.h"
 #include "app/cli/commands.h"
 #include "app/cli/console.h"
-#include "app/cli/options.h"
 #include "core/grade/diagnose/undecidable.h"
 #include "core/grade/hunt/trial.h"
 #include "core/grade/showntext.h"
@@ -16,8 +16,8 @@ namespace {
 
 constexpr qsizetype longestMessages = 400; // characters of stderr
 const QString nothingToCompare
-    = QStringLiteral("nothing was printed that could be compared: it names triangles, and none of "
-                     "their lines has numbers");
+    = u"nothing was printed that could be compared: it names triangles, and none of their lines "
+      "has numbers"_s;
 
 /// A scene's file and the result of the trial.
 struct SceneTrial {
@@ -28,36 +28,35 @@ struct SceneTrial {
 
 QString stepText(const TraceDifference &difference)
 {
-    return QStringLiteral("%1 (step %2 of %3)")
-        .arg(difference.text, QString::number(difference.step + 1),
-             QString::fromStdString(difference.scene.method));
+    return u"%1 (step %2 of %3)"_s.arg(difference.text, QString::number(difference.step + 1),
+                                       QString::fromStdString(difference.scene.method));
 }
 
 QStringList linesOf(const SceneTrial &tried)
 {
     const Trial &trial = tried.trial;
-    QStringList lines = {tried.path + QStringLiteral(": ") + trial.run.told};
+    QStringList lines = {tried.path + u": "_s + trial.run.told};
     if (trial.fault && trial.run.end == ProgramEnd::Finished)
-        lines += QStringLiteral("    ") + trial.fault->message();
+        lines += u"    "_s + trial.fault->message();
     if (trial.picture) {
         if (trial.output.picture->isTransparent)
-            lines += QStringLiteral("    its picture ") + transparencyText();
+            lines += u"    its picture "_s + transparencyText();
         for (const QString &line : diffLines(*trial.picture))
-            lines += QStringLiteral("    ") + line;
+            lines += u"    "_s + line;
     }
     if (const auto beyond = beyondFrameText(trial.output))
-        lines += QStringLiteral("    ") + *beyond;
+        lines += u"    "_s + *beyond;
     if (trial.hasNothingToCompare())
-        lines += QStringLiteral("    ") + nothingToCompare;
+        lines += u"    "_s + nothingToCompare;
     if (trial.trace)
-        lines += QStringLiteral("    first difference: ") + stepText(*trial.trace);
+        lines += u"    first difference: "_s + stepText(*trial.trace);
     else if (trial.output.hasLines() && !trial.fault)
-        lines += QStringLiteral("    no number of its trace differs");
+        lines += u"    no number of its trace differs"_s;
     const QString said = shownText(trial.run.messages, longestMessages).trimmed();
     if (!said.isEmpty()) {
-        lines += QStringLiteral("    it said:");
+        lines += u"    it said:"_s;
         for (const QString &line : said.split(u'\n'))
-            lines += QStringLiteral("        ") + line;
+            lines += u"        "_s + line;
     }
     return lines;
 }
@@ -65,29 +64,29 @@ QStringList linesOf(const SceneTrial &tried)
 QJsonObject objectOf(const SceneTrial &tried)
 {
     const Trial &trial = tried.trial;
-    QJsonObject object{{QStringLiteral("scene"), tried.path},
-                       {QStringLiteral("right"), trial.isRight()},
-                       {QStringLiteral("end"), nameOf(trial.run.end)},
-                       {QStringLiteral("code"), trial.run.code},
-                       {QStringLiteral("told"), trial.run.told},
-                       {QStringLiteral("messages"), shownText(trial.run.messages, longestMessages)},
-                       {QStringLiteral("sandbox"), trial.run.isSandboxed()}};
+    QJsonObject object{{u"scene"_s, tried.path},
+                       {u"right"_s, trial.isRight()},
+                       {u"end"_s, nameOf(trial.run.end)},
+                       {u"code"_s, trial.run.code},
+                       {u"told"_s, trial.run.told},
+                       {u"messages"_s, shownText(trial.run.messages, longestMessages)},
+                       {u"sandbox"_s, trial.run.isSandboxed()}};
     if (trial.fault)
-        object.insert(QStringLiteral("fault"), trial.fault->message());
+        object.insert(u"fault"_s, trial.fault->message());
     else if (trial.hasNothingToCompare())
-        object.insert(QStringLiteral("fault"), nothingToCompare);
+        object.insert(u"fault"_s, nothingToCompare);
     if (trial.output.trace)
-        object.insert(QStringLiteral("beyondFrame"), qint64(trial.output.trace->beyondFrame));
+        object.insert(u"beyondFrame"_s, qint64(trial.output.trace->beyondFrame));
     if (trial.picture)
-        object.insert(QStringLiteral("picture"), diffJson(*trial.picture));
-    object.insert(QStringLiteral("transparencyIgnored"),
+        object.insert(u"picture"_s, diffJson(*trial.picture));
+    object.insert(u"transparencyIgnored"_s,
                   trial.output.picture && trial.output.picture->isTransparent);
     if (trial.trace)
-        object.insert(QStringLiteral("parts"),
-                      QJsonObject{{QStringLiteral("how"), trial.trace->text},
-                                  {QStringLiteral("step"), qint64(trial.trace->step + 1)},
-                                  {QStringLiteral("method"),
-                                   QString::fromStdString(trial.trace->scene.method)}});
+        object.insert(
+            u"parts"_s,
+            QJsonObject{{u"how"_s, trial.trace->text},
+                        {u"step"_s, qint64(trial.trace->step + 1)},
+                        {u"method"_s, QString::fromStdString(trial.trace->scene.method)}});
     return object;
 }
 
@@ -100,9 +99,8 @@ TrialTerms termsOf(const CommandLine &line)
 
 void addTrialOptions(CommandLine &line)
 {
-    line.addRepeatedOption({QStringLiteral("scene"),
-                            QStringLiteral("A scene that the program is to draw; may be repeated."),
-                            QStringLiteral("file")});
+    line.addRepeatedOption(
+        {u"scene"_s, u"A scene that the program is to draw; may be repeated."_s, u"file"_s});
     addProgramOptions(line);
     addMarginOptions(line);
     line.addJsonOption();
@@ -115,10 +113,9 @@ QString verdictOf(const std::vector<SceneTrial> &tried)
     for (const SceneTrial &each : tried)
         open += each.trial.picture ? each.trial.picture->count(Difference::Undecidable) : 0;
     if (open == 0)
-        return QStringLiteral("right");
-    return QStringLiteral("undecidable: %1 %2, as a right program may have it")
-        .arg(open)
-        .arg(open == 1 ? QStringLiteral("pixel differs") : QStringLiteral("pixels differ"));
+        return u"right"_s;
+    return u"undecidable: %1 %2, as a right program may have it"_s.arg(open).arg(
+        open == 1 ? u"pixel differs"_s : u"pixels differ"_s);
 }
 
 /// The programs that did not end well, and how they ended; none where all did.
@@ -127,14 +124,13 @@ QStringList badEndsOf(const std::vector<SceneTrial> &tried)
     QStringList ends;
     for (const SceneTrial &each : tried) {
         if (each.trial.run.end != ProgramEnd::Finished)
-            ends += each.path + QStringLiteral(": ") + each.trial.run.told;
+            ends += each.path + u": "_s + each.trial.run.told;
     }
     if (ends.empty())
         return {};
-    return {QStringLiteral("did not end well on %1 of %2 scenes: %3")
-                .arg(ends.size())
+    return {u"did not end well on %1 of %2 scenes: %3"_s.arg(ends.size())
                 .arg(tried.size())
-                .arg(ends.join(QStringLiteral("; ")))};
+                .arg(ends.join(u"; "_s))};
 }
 
 /// The verdict where a trace tells of a mistake that no picture shows.
@@ -144,9 +140,8 @@ QStringList tracedVerdict(const std::vector<SceneTrial> &tried, const Diagnosis 
         tried, [](const SceneTrial &each) { return each.trial.trace.has_value(); });
     if (diagnosis.verdict == DiagnosisVerdict::Wrong || count == 0)
         return {};
-    return {QStringLiteral("wrong: %1 differs, though no picture shows it")
-                .arg(count == 1 ? QStringLiteral("a trace")
-                                : QStringLiteral("the trace of %1 scenes").arg(count))};
+    return {u"wrong: %1 differs, though no picture shows it"_s.arg(
+        count == 1 ? u"a trace"_s : u"the trace of %1 scenes"_s.arg(count))};
 }
 
 /// The diagnosis of all pictures together; none without pictures, or if all are right.
@@ -163,18 +158,17 @@ std::optional<Diagnosis> diagnosisOf(const std::vector<Submission> &submissions,
 
 ExitCode tryProgram(const Command &command, const QStringList &arguments)
 {
-    CommandLine line(command,
-                     {{QStringLiteral("PROGRAM"),
-                       QStringLiteral("a program and its arguments, after -- where one of them "
-                                      "begins with -"),
-                       Positional::Presence::Command}});
+    CommandLine line(
+        command,
+        {{u"PROGRAM"_s, u"a program and its arguments, after -- where one of them begins with -"_s,
+          Positional::Presence::Command}});
     addTrialOptions(line);
     addSettingOptions(line);
     line.parse(arguments);
     const TrialTerms terms = termsOf(line);
-    const QStringList scenes = line.values(QStringLiteral("scene"));
+    const QStringList scenes = line.values(u"scene"_s);
     if (scenes.isEmpty())
-        refuse(QStringLiteral("--scene FILE is missing: what the program is to draw"));
+        refuse(u"--scene FILE is missing: what the program is to draw"_s);
     const StudentProgram student = required(studentProgramOf(line.arguments()));
     std::vector<SceneTrial> tried;
     std::vector<Submission> submissions;
@@ -195,9 +189,9 @@ ExitCode tryProgram(const Command &command, const QStringList &arguments)
         QJsonArray trials;
         for (const SceneTrial &each : tried)
             trials.append(objectOf(each));
-        QJsonObject report{{QStringLiteral("right"), areRight}, {QStringLiteral("trials"), trials}};
+        QJsonObject report{{u"right"_s, areRight}, {u"trials"_s, trials}};
         if (diagnosis)
-            report.insert(QStringLiteral("diagnosis"), diagnosisJson(*diagnosis, submissions));
+            report.insert(u"diagnosis"_s, diagnosisJson(*diagnosis, submissions));
         addConfinement(report);
         printJson(report);
     } else {

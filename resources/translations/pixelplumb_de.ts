@@ -1124,14 +1124,6 @@
         <translation>Die Bildfläche mit ihren Dreiecken. Ein Klick setzt einen Eckpunkt oder wählt mit dem Werkzeug Prüfen ein Pixel. Pfeiltasten bewegen das gewählte Pixel, die Eingabetaste setzt dort einen Eckpunkt, eckige Klammern wählen einen Eckpunkt, Strg mit Pfeiltasten bewegt ihn, C ändert seine Farbe.</translation>
     </message>
     <message>
-        <source>1:%1</source>
-        <translation>1:%1</translation>
-    </message>
-    <message>
-        <source>%1×</source>
-        <translation>%1×</translation>
-    </message>
-    <message>
         <source>waiting vertex %1 at %2</source>
         <translation>wartender Eckpunkt %1 bei %2</translation>
     </message>
@@ -1503,8 +1495,24 @@
         </translation>
     </message>
     <message>
-        <source>%1 px: %2 missing, %3 extra, %4 wrong colour</source>
-        <translation>%1 px: %2 fehlen, %3 zu viel, %4 andere Farbe</translation>
+        <source>%1 missing</source>
+        <translation>%1 fehlen</translation>
+    </message>
+    <message>
+        <source>%1 extra</source>
+        <translation>%1 zu viel</translation>
+    </message>
+    <message>
+        <source>%1 wrong colour</source>
+        <translation>%1 andere Farbe</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source>correct</source>
+        <translation>richtig</translation>
     </message>
 </context>
 <context>
@@ -1546,10 +1554,6 @@
         <translation>Noch ist nichts verglichen.</translation>
     </message>
     <message>
-        <source>%1 agree: %2</source>
-        <translation>%1 einig: %2</translation>
-    </message>
-    <message>
         <source>All agree on every pixel.</source>
         <translation>Bei jedem Pixel stimmen alle überein.</translation>
     </message>
@@ -1584,6 +1588,18 @@
     <message>
         <source>Finished pictures</source>
         <translation>Fertige Bilder</translation>
+    </message>
+    <message>
+        <source>all agree</source>
+        <translation>alle einig</translation>
+    </message>
+    <message>
+        <source>none agree</source>
+        <translation>keine einig</translation>
+    </message>
+    <message>
+        <source>%1 agree</source>
+        <translation>%1 einig</translation>
     </message>
 </context>
 <context>
@@ -1787,10 +1803,6 @@
         <translation>Abgegebenes Bild &amp;einfügen</translation>
     </message>
     <message>
-        <source>Marks on the canvas what differs in a picture or a raster of # and . from the clipboard (Ctrl+V)</source>
-        <translation>Markiert auf der Zeichenfläche, was in einem Bild oder einem Raster aus # und . aus der Zwischenablage abweicht (Strg+V)</translation>
-    </message>
-    <message>
         <source>Add a &amp;triangle…</source>
         <translation>&amp;Dreieck hinzufügen …</translation>
     </message>
@@ -1877,6 +1889,10 @@
     <message>
         <source>Ca&amp;mera, light and materials…</source>
         <translation>Kamera, Licht &amp;und Materialien …</translation>
+    </message>
+    <message>
+        <source>Marks on the canvas what differs in the clipboard&apos;s picture, or raster of “#” and “.” (Ctrl+V)</source>
+        <translation>Markiert auf der Zeichenfläche, was im Bild oder im Raster aus „#“ und „.“ in der Zwischenablage abweicht (Strg+V)</translation>
     </message>
 </context>
 <context>
@@ -5778,10 +5794,6 @@
         <translation>Bildfläche ändern</translation>
     </message>
     <message>
-        <source>move camera</source>
-        <translation>Kamera bewegen</translation>
-    </message>
-    <message>
         <source>change appearance</source>
         <translation>Aussehen ändern</translation>
     </message>
@@ -6651,10 +6663,6 @@
         <translation>Öffnen …</translation>
     </message>
     <message>
-        <source>Open a student&apos;s picture: PNG, PPM, BMP or a raster of # and .</source>
-        <translation>Ein abgegebenes Bild öffnen: PNG, PPM, BMP oder ein Raster aus # und .</translation>
-    </message>
-    <message>
         <source>Remove</source>
         <translation>Entfernen</translation>
     </message>
@@ -6697,10 +6705,6 @@
     <message>
         <source>No student&apos;s picture</source>
         <translation>Kein abgegebenes Bild</translation>
-    </message>
-    <message>
-        <source>Drop a picture of this scene on the canvas, paste it (Ctrl+V) or open it: PNG, PPM, BMP or a raster of # and . What differs is marked on the canvas.</source>
-        <translation>Ein Bild dieser Szene auf die Zeichenfläche ziehen, einfügen (Strg+V) oder öffnen: PNG, PPM, BMP oder ein Raster aus # und . Was abweicht, wird auf der Zeichenfläche markiert.</translation>
     </message>
     <message>
         <source>Being compared.</source>
@@ -6778,6 +6782,14 @@
     <message>
         <source>Leeway</source>
         <translation>Spielraum</translation>
+    </message>
+    <message>
+        <source>Open a student&apos;s picture: PNG, PPM, BMP, or a raster of “#” and “.”</source>
+        <translation>Ein abgegebenes Bild öffnen: PNG, PPM, BMP oder ein Raster aus „#“ und „.“</translation>
+    </message>
+    <message>
+        <source>Drop a picture of this scene on the canvas, paste it (Ctrl+V) or open it: PNG, PPM, BMP, or a raster of “#” and “.”. What differs is marked on the canvas.</source>
+        <translation>Ein Bild dieser Szene auf die Zeichenfläche ziehen, einfügen (Strg+V) oder öffnen: PNG, PPM, BMP oder ein Raster aus „#“ und „.“. Was abweicht, wird auf der Zeichenfläche markiert.</translation>
     </message>
 </context>
 <context>

@@ -94,13 +94,6 @@ void Canvas::setStudentPicture(const StudentPicture *student)
     connect(student, &StudentPicture::judged, this, qOverload<>(&QWidget::update));
 }
 
-QString Canvas::zoomText() const
-{
-    const ViewZoom &zoom = mapping().zoom();
-    return zoom.framePixels > 1 ? tr("1:%1").arg(zoom.framePixels)
-                                : tr("%1×").arg(zoom.devicePixels);
-}
-
 std::optional<VertexRef> Canvas::vertexAt(const QPointF &position) const
 {
     return pixelplumb::vertexAt(position, m_sources, m_view, m_outlines);

@@ -45,8 +45,6 @@ public:
     QRectF rowRuler() const { return m_view.rowRuler(); }
     /// Device pixels per frame pixel; below 1:1 the negative of frame pixels per device pixel.
     int zoom() const { return mapping().zoom().number(); }
-    /// "8×" or "1:4".
-    QString zoomText() const;
 
     /// The pixel drawn under a position; none outside the frame and on the rulers.
     std::optional<QPoint> pixelAt(const QPointF &position) const
@@ -79,7 +77,8 @@ public:
     void followPointer();
 
     QSize sizeHint() const override { return {720, 560}; }
-    QSize minimumSizeHint() const override { return {240, 200}; }
+    /// 48 rows at zoom 2 with the ruler: in a low window a study below needs the rest.
+    QSize minimumSizeHint() const override { return {240, 144}; }
 
 public slots:
     void setTool(pixelplumb::CanvasTool tool);

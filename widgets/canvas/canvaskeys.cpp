@@ -8,8 +8,7 @@
 #include "widgets/look/displayoptions.h"
 #include "widgets/model/playhead.h"
 
-#include <QGuiApplication>
-#include <QKeyEvent>
+#include <QtWidgets>
 
 #include <algorithm>
 

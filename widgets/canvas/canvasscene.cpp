@@ -76,7 +76,7 @@ public:
 
     void addSigns()
     {
-        for (const auto &[x, y] : m_playhead.pixelBreakpoints())
+        for (const auto &[x, y] : m_playhead.breakpoints().pixels)
             m_scene.breakpoints.emplace_back(x, y);
         m_scene.picked = m_playhead.pickedPixel();
         const std::optional<std::size_t> span = m_playhead.currentSpan();
@@ -88,13 +88,13 @@ public:
 
     void addRulerMarks()
     {
-        for (const std::int64_t x : m_playhead.columnBreakpoints())
+        for (const std::int64_t x : m_playhead.breakpoints().columns)
             m_scene.columnMarks.push_back({double(x), Sign::Breakpoint});
         if (const std::optional<QPoint> pixel = m_playhead.pickedPixel()) {
             m_scene.columnMarks.push_back({double(pixel->x()), Sign::PickedPixel});
             m_scene.rowMarks.push_back({double(pixel->y()), Sign::PickedPixel});
         }
-        for (const std::int64_t y : m_playhead.rowBreakpoints())
+        for (const std::int64_t y : m_playhead.breakpoints().rows)
             m_scene.rowMarks.push_back({double(y), Sign::Breakpoint});
         const std::optional<SpanPlace> place = m_playhead.currentPlace();
         if (place && place->axis == SpanAxis::Column)

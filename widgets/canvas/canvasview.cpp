@@ -5,8 +5,7 @@
 #include "widgets/canvas/ruler.h"
 #include "widgets/model/playhead.h"
 
-#include <QFontMetricsF>
-#include <QWidget>
+#include <QtWidgets>
 
 #include <algorithm>
 #include <cmath>

@@ -8,8 +8,7 @@
 #include "widgets/look/signs.h"
 #include "widgets/model/playhead.h"
 
-#include <QEvent>
-#include <QPainter>
+#include <QtWidgets>
 
 namespace pixelplumb {
 

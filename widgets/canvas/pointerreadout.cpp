@@ -13,8 +13,7 @@
 #include "widgets/model/scenetracer.h"
 #include "widgets/model/steptext.h"
 
-#include <QAccessibleWidget>
-#include <QCoreApplication>
+#include <QtWidgets>
 
 #include <algorithm>
 #include <cmath>

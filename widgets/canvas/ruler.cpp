@@ -85,8 +85,7 @@ void Ruler::paint(QPainter &painter, const QPalette &palette,
     const double direction = along(1) < zero ? -1 : 1;
     const double one = (start - zero) / (direction * pixelLength);
     const double other = (end - zero) / (direction * pixelLength);
-    QColor ink = palette.color(QPalette::WindowText);
-    ink.setAlphaF(0.75F);
+    const QColor ink = translucent(palette.color(QPalette::WindowText), 0.75);
     painter.setPen(QPen(ink, 1));
     for (const RulerTick &tick :
          rulerTicks(std::min(one, other) + offset - 1, std::max(one, other) + offset + 1,

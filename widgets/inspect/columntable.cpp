@@ -43,8 +43,6 @@ ColumnTable::ColumnTable(Playhead *playhead, QWidget *parent)
     named(this, "columnTable", tr("Columns of the scan"));
     setAccessibleDescription(
         tr("A row for each column; the highlighted row is the current column."));
-    if (const QFont figures = tabularFont(font()); figures != font())
-        setFont(figures);
     setFrameShape(QFrame::NoFrame);
     setShowGrid(false);
     setWordWrap(false);

@@ -3,8 +3,7 @@
 #include "widgets/look/parts.h"
 #include "widgets/model/columntablemodel.h"
 
-#include <QAction>
-#include <QMenu>
+#include <QtWidgets>
 
 /// Which columns the table shows.
 namespace pixelplumb {

@@ -4,7 +4,6 @@
 #include "core/runs/explain/formulaexplanation.h"
 #include "widgets/look/corewords.h"
 #include "widgets/look/formulahtml.h"
-#include "widgets/look/numberlayout.h"
 #include "widgets/look/parts.h"
 #include "widgets/look/signs.h"
 #include "widgets/look/typesetting.h"
@@ -21,7 +20,6 @@ namespace pixelplumb {
 namespace {
 
 constexpr int leastFormulaLines = 1;
-constexpr int widthForBeside = 55; ///< characters
 constexpr float bannerTint = 0.18F;
 constexpr double tableExcess = 2; // logical pixels from rounded-up column widths
 
@@ -90,8 +88,6 @@ FormulaPanel::FormulaPanel(Playhead *playhead, QWidget *parent)
     m_formulas->setOpenLinks(false);
     m_formulas->setMinimumHeight(fontMetrics().lineSpacing() * leastFormulaLines);
     m_formulas->document()->setDocumentMargin(4);
-    if (const QFont figures = tabularFont(font()); figures != font())
-        m_formulas->setFont(figures);
 
     auto *layout = withParts(new QVBoxLayout(this), {m_heading, m_sentence, {m_formulas, 1}}, 4);
     layout->setContentsMargins(8, 4, 0, 0);
@@ -144,11 +140,10 @@ void FormulaPanel::present(const Explanation &explanation)
                                         + typesetHtml(explanation.event)));
     m_sentence->setText(typesetHtml(explanation.sentence));
 
-    m_symbols = channelSymbols();
     const int scrolled = m_formulas->verticalScrollBar()->value();
     // The stages from space to the frame come first.
     m_formulas->setHtml(stagesHtml(explanation, arithmetic(), palette())
-                        + formulaHtml(explanation, arithmetic(), palette(), channelSymbols()));
+                        + formulaHtml(explanation, arithmetic(), palette()));
     m_formulas->verticalScrollBar()->setValue(scrolled);
     setAccessibleDescription(heading + QStringLiteral(". ") + explanation.sentence + u'\n'
                              + formulaText(explanation, arithmetic()));
@@ -189,13 +184,6 @@ void FormulaPanel::growTo(int formulas)
     emit neededHeightChanged();
 }
 
-ChannelSymbols FormulaPanel::channelSymbols() const
-{
-    return m_formulas->viewport()->width() >= widthForBeside * fontMetrics().averageCharWidth()
-        ? ChannelSymbols::Beside
-        : ChannelSymbols::Above;
-}
-
 /// The height the explanation's sentence would have in the panel.
 int FormulaPanel::sentenceHeight(const Explanation &explanation) const
 {
@@ -213,7 +201,7 @@ int FormulaPanel::formulasHeight(const Explanation &explanation) const
     QTextDocument document;
     document.setDefaultFont(m_formulas->font());
     document.setDocumentMargin(m_formulas->document()->documentMargin());
-    document.setHtml(formulaHtml(explanation, arithmetic(), palette(), channelSymbols()));
+    document.setHtml(formulaHtml(explanation, arithmetic(), palette()));
     document.setTextWidth(m_formulas->viewport()->width());
     return int(std::ceil(document.size().height()));
 }
@@ -261,8 +249,6 @@ void FormulaPanel::measureRun()
 void FormulaPanel::resizeEvent(QResizeEvent *event)
 {
     QWidget::resizeEvent(event);
-    if (channelSymbols() != m_symbols)
-        explainStep();
     fitScrollBar();
     const bool isSqueezed
         = height() < m_neededHeight && QGuiApplication::mouseButtons() == Qt::NoButton;

@@ -2,7 +2,6 @@
 #pragma once
 
 #include "core/scan/scansettings.h"
-#include "widgets/look/formulahtml.h"
 
 #include <QString>
 #include <QTimer>
@@ -50,13 +49,11 @@ private:
     int sentenceHeight(const Explanation &explanation) const;
     int formulasHeight(const Explanation &explanation) const;
     Arithmetic arithmetic() const;
-    ChannelSymbols channelSymbols() const;
 
     Playhead *m_playhead;
     QLabel *m_heading;
     QLabel *m_sentence;
     QTextBrowser *m_formulas;
-    ChannelSymbols m_symbols = ChannelSymbols::Above; ///< as shown
     int m_neededHeight = 0;
     /// What the needed height was measured for: method, arithmetic and the width of the formulas.
     std::tuple<QString, Arithmetic, int> m_measured;

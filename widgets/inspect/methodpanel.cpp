@@ -5,7 +5,6 @@
 #include "core/runs/tracedscene.h"
 #include "core/scan/choicenames.h"
 #include "widgets/look/corewords.h"
-#include "widgets/look/numberlayout.h"
 #include "widgets/look/parts.h"
 #include "widgets/look/signs.h"
 #include "widgets/look/typesetting.h"
@@ -62,7 +61,6 @@ MethodPanel::MethodPanel(Playhead *playhead, QWidget *parent)
     m_text->setFrameShape(QFrame::NoFrame);
     m_text->setOpenLinks(false);
     m_text->document()->setDocumentMargin(8);
-    m_text->setFont(tabularFont(font()));
     withParts(new QVBoxLayout(this), {m_text}, -1, 0);
     onEvents(this, {QEvent::Show}, [this] {
         if (m_isStale)

@@ -5,7 +5,6 @@
 #include "widgets/inspect/pixelgridpainter.h"
 #include "widgets/look/displayoptions.h"
 #include "widgets/look/numberformat.h"
-#include "widgets/look/numberlayout.h"
 #include "widgets/look/parts.h"
 #include "widgets/model/playhead.h"
 
@@ -25,7 +24,7 @@ PixelGridStyle styleOf(const QWidget &widget, const DisplayOptions &options)
 {
     PixelGridStyle style;
     style.palette = widget.palette();
-    style.font = tabularFont(widget.font());
+    style.font = widget.font();
     style.font.setPixelSize(QFontInfo(widget.font()).pixelSize());
     style.lines = options.isGridShown() ? GridLines::Shown : GridLines::Hidden;
     style.notation = options.notation();

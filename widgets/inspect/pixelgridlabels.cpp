@@ -4,8 +4,7 @@
 #include "widgets/look/numberformat.h"
 #include "widgets/look/symboltext.h"
 
-#include <QFontMetricsF>
-#include <QPainter>
+#include <QtWidgets>
 
 #include <algorithm>
 #include <cmath>

@@ -3,8 +3,7 @@
 
 #include "widgets/look/signs.h"
 
-#include <QFontMetricsF>
-#include <QPainter>
+#include <QtWidgets>
 
 #include <algorithm>
 

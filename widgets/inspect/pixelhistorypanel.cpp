@@ -2,7 +2,6 @@
 #include "widgets/inspect/pixelhistorypanel.h"
 
 #include "widgets/inspect/delegates.h"
-#include "widgets/look/numberlayout.h"
 #include "widgets/look/parts.h"
 #include "widgets/look/signs.h"
 #include "widgets/look/typesetting.h"
@@ -78,8 +77,6 @@ PixelHistoryPanel::PixelHistoryPanel(Playhead *playhead, QWidget *parent)
     m_attempts->setIndentation(16);
     m_attempts->setModel(m_model);
     m_attempts->setItemDelegate(new PixelHistoryDelegate(this));
-    if (const QFont figures = tabularFont(font()); figures != font())
-        m_attempts->setFont(figures);
     m_attempts->header()->setStretchLastSection(true);
     m_attempts->header()->setMinimumSectionSize(24);
     m_attempts->setMinimumHeight(fontMetrics().height() + 4); // one attempt

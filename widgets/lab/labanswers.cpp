@@ -4,7 +4,6 @@
 #include "core/scan/choicenames.h"
 #include "widgets/lab/labtext.h"
 #include "widgets/look/corewords.h"
-#include "widgets/look/numberlayout.h"
 #include "widgets/look/parts.h"
 #include "widgets/look/signs.h"
 
@@ -138,7 +137,6 @@ LabEffects::LabEffects(QWidget *parent)
     setEditTriggers(QAbstractItemView::NoEditTriggers);
     setFrameShape(QFrame::NoFrame);
     setUniformRowHeights(true);
-    setFont(tabularFont(font()));
 }
 
 void LabEffects::show(const Study &study)

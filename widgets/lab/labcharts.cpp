@@ -20,10 +20,7 @@ namespace {
 
 QComboBox *namedBox(const char *name, const QString &accessibleName, QWidget *parent)
 {
-    auto *box = new ElidingBox(parent);
-    box->setObjectName(QLatin1String(name));
-    box->setAccessibleName(accessibleName);
-    box->setToolTip(accessibleName);
+    auto *box = explained(new ElidingBox(parent), name, accessibleName);
     box->setSizeAdjustPolicy(QComboBox::AdjustToContents);
     return box;
 }

@@ -55,10 +55,7 @@ LabControls::LabControls(const LabRun *run, QWidget *parent)
 QComboBox *LabControls::addBox(QBoxLayout *row, const char *name, const QString &accessibleName,
                                const QString &toolTip)
 {
-    auto *box = new ElidingBox(this);
-    box->setObjectName(QLatin1String(name));
-    box->setAccessibleName(accessibleName);
-    box->setToolTip(toolTip);
+    auto *box = named(new ElidingBox(this), name, accessibleName, toolTip);
     box->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
     box->setMinimumContentsLength(5);
     row->addWidget(box);

@@ -3,6 +3,7 @@
 
 #include "widgets/lab/labtext.h"
 #include "widgets/lab/paretoplot.h"
+#include "widgets/look/signs.h"
 #include "widgets/studies/accuracy/precisionplot.h"
 
 #include <qcustomplot.h>
@@ -156,8 +157,7 @@ void ParetoPlot::addLabels()
              isSilent ? QSizeF() : metrics.size(Qt::TextSingleLine, pointLabel(dot->point))});
     }
     const auto places = placeLabels(labelled, labelArea());
-    QColor behind = palette().color(QPalette::Base);
-    behind.setAlphaF(seenThrough);
+    const QColor behind = translucent(palette().color(QPalette::Base), seenThrough);
     for (std::size_t i = 0; i < places.size(); ++i) {
         if (!places[i])
             continue;

@@ -7,8 +7,7 @@
 #include "widgets/look/corewords.h"
 #include "widgets/look/parts.h"
 
-#include <QEvent>
-#include <QMenu>
+#include <QtWidgets>
 
 namespace pixelplumb {
 

@@ -17,19 +17,10 @@ constexpr float faint = 0.45F;
 
 QCPScatterStyle::ScatterShape dotShapeOf(Arithmetic arithmetic)
 {
-    switch (arithmetic) {
-    case Arithmetic::Exact:
-        break;
-    case Arithmetic::Float32:
-        return QCPScatterStyle::ssTriangle;
-    case Arithmetic::Float64:
-        return QCPScatterStyle::ssSquare;
-    case Arithmetic::Fixed16:
-        return QCPScatterStyle::ssDiamond;
-    case Arithmetic::Fixed32:
-        return QCPScatterStyle::ssTriangleInverted;
-    }
-    return QCPScatterStyle::ssCircle;
+    constexpr std::array shapes
+        = {QCPScatterStyle::ssCircle, QCPScatterStyle::ssTriangle, QCPScatterStyle::ssSquare,
+           QCPScatterStyle::ssDiamond, QCPScatterStyle::ssTriangleInverted};
+    return shapes[std::size_t(arithmetic)];
 }
 
 /// The arithmetic's shape as a path around (x, 0).
@@ -77,14 +68,6 @@ QCPScatterStyle straightLoopDot(Arithmetic arithmetic, const QPalette &palette)
 {
     return {dotShapeOf(arithmetic), QPen(arithmeticColour(arithmetic, palette), 1.5),
             QBrush(palette.color(QPalette::Base)), dotSize};
-}
-
-QCPScatterStyle otherMethodDot(Arithmetic arithmetic, std::size_t method, const QPalette &palette)
-{
-    constexpr std::array crosses
-        = {QCPScatterStyle::ssCross, QCPScatterStyle::ssPlus, QCPScatterStyle::ssStar};
-    return {crosses[method % crosses.size()], QPen(arithmeticColour(arithmetic, palette), 2),
-            QBrush(Qt::NoBrush), dotSize};
 }
 
 QCPScatterStyle waitingDot(QCPScatterStyle dot)

@@ -13,9 +13,6 @@ namespace pixelplumb {
 QCPScatterStyle kernelDot(Arithmetic arithmetic, LabKernel kernel, const QPalette &palette);
 /// The hollow dot of an arithmetic's straight loop.
 QCPScatterStyle straightLoopDot(Arithmetic arithmetic, const QPalette &palette);
-/// The cross of another method in this arithmetic, where the column scan has the dot; each method
-/// has another cross.
-QCPScatterStyle otherMethodDot(Arithmetic arithmetic, std::size_t method, const QPalette &palette);
 /// The dot, faint: there is no time yet.
 QCPScatterStyle waitingDot(QCPScatterStyle dot);
 

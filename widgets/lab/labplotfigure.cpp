@@ -58,12 +58,7 @@ void LabPlot::asFigure(const std::function<void()> &paint)
     rebuild();
 }
 
-QFont LabPlot::titleFont() const
-{
-    QFont bold = font();
-    bold.setBold(true);
-    return bold;
-}
+QFont LabPlot::titleFont() const { return bold(font()); }
 
 void LabPlot::paintFigure(QCPPainter &painter, const QStringList &origin)
 {

@@ -25,10 +25,8 @@ QPen ParetoPlot::missPen() const { return {palette().color(QPalette::Text), 1.5,
 
 QColor ParetoPlot::staircaseColour(LabKernel kernel) const
 {
-    QColor colour = kernel == LabKernel::Plain ? palette().color(QPalette::Text)
-                                               : signColour(Sign::CurrentColumn, palette());
-    colour.setAlphaF(kernel == LabKernel::Plain ? 0.6F : 1.0F);
-    return colour;
+    return kernel == LabKernel::Plain ? translucent(palette().color(QPalette::Text), 0.6)
+                                      : signColour(Sign::CurrentColumn, palette());
 }
 
 QCPScatterStyle ParetoPlot::styleOf(const Dot &dot) const
@@ -122,10 +120,8 @@ void ParetoPlot::setWaitingPlaces()
 /// Adds the line between the rows of the zeros and the decades.
 void ParetoPlot::addRows()
 {
-    QColor faint = palette().color(QPalette::Text);
-    faint.setAlphaF(0.35F);
     auto *separator = new QCPItemStraightLine(plot());
-    separator->setPen(QPen(faint, 1));
+    separator->setPen(QPen(translucent(palette().color(QPalette::Text), 0.35), 1));
     separator->point1->setCoords(1, m_scale.separator());
     separator->point2->setCoords(2, m_scale.separator());
 }

@@ -65,11 +65,6 @@ ErrorClass ErrorScale::classAt(double axis) const
                                                                 : ErrorClass::ZeroProved;
 }
 
-double ErrorScale::errorAt(double axis) const
-{
-    return classAt(axis) == ErrorClass::Positive ? std::pow(10.0, axis - decades() + m_least) : 0;
-}
-
 std::vector<ErrorScale::Tick> ErrorScale::ticks(int most) const
 {
     std::vector<Tick> ticks

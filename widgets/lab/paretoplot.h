@@ -21,13 +21,9 @@ public:
     /// are none.
     explicit ErrorScale(const ParetoChart &chart);
 
-    int leastExponent() const { return m_least; }
-    int largestExponent() const { return m_largest; }
-
     double toAxis(ErrorClass errorClass, double error) const;
-    /// The class and the error at a place on the axis: the nearest row, or the error.
+    /// The class at a place on the axis; between rows the nearest row's.
     ErrorClass classAt(double axis) const;
-    double errorAt(double axis) const; ///< 0 in the rows
 
     /// The axis' ends.
     static constexpr double bottom = -1;

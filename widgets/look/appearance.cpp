@@ -45,42 +45,40 @@ constexpr std::array<std::pair<PaletteChoice, const char *>, 3> paletteNames
         {PaletteChoice::Light, "light"},
         {PaletteChoice::Dark, "dark"}}};
 
-struct Shades {
-    QRgb window, base, alternateBase, button, text, disabledText, placeholder;
-    QRgb light, midlight, mid, dark, shadow;
-    QRgb highlight, highlightedText, link, toolTipBase, toolTipText;
+struct PaletteShade {
+    std::vector<QPalette::ColorRole> roles;
+    QRgb onLight;
+    QRgb onDark;
+    QPalette::ColorGroup group = QPalette::All;
 };
 
-QPalette paletteOf(const Shades &shades)
+QPalette paletteOf(QRgb PaletteShade::*side)
 {
+    using enum QPalette::ColorRole;
+    static const std::vector<PaletteShade> shades
+        = {{{Window}, 0xf3f3f1, 0x26282b},
+           {{Base}, 0xffffff, 0x1b1d1f},
+           {{ToolTipBase}, 0xffffff, 0x33363a},
+           {{AlternateBase}, 0xf7f7f5, 0x212326},
+           {{Button}, 0xececea, 0x33363a},
+           {{WindowText, Text, ButtonText, ToolTipText}, 0x1c1e21, 0xe6e7e9},
+           {{WindowText, Text, ButtonText}, 0x85888c, 0x84878c, QPalette::Disabled},
+           {{PlaceholderText}, 0x6a6d72, 0x9a9da2},
+           {{Light}, 0xffffff, 0x4a4e53},
+           {{Midlight}, 0xf8f8f6, 0x3d4146},
+           {{Mid}, 0xc9cac7, 0x45494e},
+           {{Dark}, 0xa4a5a3, 0x151618},
+           {{Shadow}, 0x6f706e, 0x0b0c0d},
+           {{Highlight}, 0x2f6d9f, 0x2d6290},
+           {{Highlight}, 0xc9cac7, 0x45494e, QPalette::Disabled},
+           {{HighlightedText, BrightText}, 0xffffff, 0xffffff},
+           {{HighlightedText}, 0x1c1e21, 0xe6e7e9, QPalette::Disabled},
+           {{Link, LinkVisited}, 0x1f5f94, 0x7fbcec}};
     QPalette palette;
-    const auto set = [&](QPalette::ColorRole role, QRgb colour) {
-        palette.setColor(role, QColor::fromRgb(colour));
-    };
-    set(QPalette::Window, shades.window);
-    set(QPalette::WindowText, shades.text);
-    set(QPalette::Base, shades.base);
-    set(QPalette::AlternateBase, shades.alternateBase);
-    set(QPalette::Text, shades.text);
-    set(QPalette::Button, shades.button);
-    set(QPalette::ButtonText, shades.text);
-    set(QPalette::BrightText, shades.highlightedText);
-    set(QPalette::PlaceholderText, shades.placeholder);
-    set(QPalette::Light, shades.light);
-    set(QPalette::Midlight, shades.midlight);
-    set(QPalette::Mid, shades.mid);
-    set(QPalette::Dark, shades.dark);
-    set(QPalette::Shadow, shades.shadow);
-    set(QPalette::Highlight, shades.highlight);
-    set(QPalette::HighlightedText, shades.highlightedText);
-    set(QPalette::Link, shades.link);
-    set(QPalette::LinkVisited, shades.link);
-    set(QPalette::ToolTipBase, shades.toolTipBase);
-    set(QPalette::ToolTipText, shades.toolTipText);
-    for (const auto role : {QPalette::WindowText, QPalette::Text, QPalette::ButtonText})
-        palette.setColor(QPalette::Disabled, role, QColor::fromRgb(shades.disabledText));
-    palette.setColor(QPalette::Disabled, QPalette::Highlight, QColor::fromRgb(shades.mid));
-    palette.setColor(QPalette::Disabled, QPalette::HighlightedText, QColor::fromRgb(shades.text));
+    for (const PaletteShade &shade : shades) {
+        for (const QPalette::ColorRole role : shade.roles)
+            palette.setColor(shade.group, role, QColor::fromRgb(shade.*side));
+    }
     return palette;
 }
 
@@ -154,47 +152,9 @@ std::optional<PaletteChoice> paletteNamed(QStringView name)
     return std::nullopt;
 }
 
-QPalette lightPalette()
-{
-    return paletteOf({.window = 0xf3f3f1,
-                      .base = 0xffffff,
-                      .alternateBase = 0xf7f7f5,
-                      .button = 0xececea,
-                      .text = 0x1c1e21,
-                      .disabledText = 0x85888c,
-                      .placeholder = 0x6a6d72,
-                      .light = 0xffffff,
-                      .midlight = 0xf8f8f6,
-                      .mid = 0xc9cac7,
-                      .dark = 0xa4a5a3,
-                      .shadow = 0x6f706e,
-                      .highlight = 0x2f6d9f,
-                      .highlightedText = 0xffffff,
-                      .link = 0x1f5f94,
-                      .toolTipBase = 0xffffff,
-                      .toolTipText = 0x1c1e21});
-}
+QPalette lightPalette() { return paletteOf(&PaletteShade::onLight); }
 
-QPalette darkPalette()
-{
-    return paletteOf({.window = 0x26282b,
-                      .base = 0x1b1d1f,
-                      .alternateBase = 0x212326,
-                      .button = 0x33363a,
-                      .text = 0xe6e7e9,
-                      .disabledText = 0x84878c,
-                      .placeholder = 0x9a9da2,
-                      .light = 0x4a4e53,
-                      .midlight = 0x3d4146,
-                      .mid = 0x45494e,
-                      .dark = 0x151618,
-                      .shadow = 0x0b0c0d,
-                      .highlight = 0x2d6290,
-                      .highlightedText = 0xffffff,
-                      .link = 0x7fbcec,
-                      .toolTipBase = 0x33363a,
-                      .toolTipText = 0xe6e7e9});
-}
+QPalette darkPalette() { return paletteOf(&PaletteShade::onDark); }
 
 double contrastRatio(const QColor &a, const QColor &b)
 {

@@ -3,8 +3,7 @@
 
 #include "widgets/look/appearance.h"
 
-#include <QFontMetricsF>
-#include <QPainter>
+#include <QtWidgets>
 
 #include <algorithm>
 #include <array>

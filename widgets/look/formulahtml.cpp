@@ -97,10 +97,8 @@ QString errorText(const FormulaLine &line)
 
 class HtmlWriter {
 public:
-    HtmlWriter(Arithmetic arithmetic, const QPalette &palette,
-               ChannelSymbols symbols = ChannelSymbols::Above)
+    HtmlWriter(Arithmetic arithmetic, const QPalette &palette)
         : m_arithmetic(arithmetic)
-        , m_symbols(symbols)
         , m_palette(palette)
         , m_quiet(blended(palette.color(QPalette::Text), palette.color(QPalette::Base), quietShare)
                       .name())
@@ -140,8 +138,7 @@ public:
     /// Appends the symbols once, beside the channels' rows where they are short, else above them.
     void append(const ChannelFormula &formula)
     {
-        const auto place = isShort(*formula.lines.front()) ? m_symbols : ChannelSymbols::Above;
-        const bool isBeside = place == ChannelSymbols::Beside;
+        const bool isBeside = isShort(*formula.lines.front());
         QString symbols = typesetHtml(formula.symbols);
         if (!isBeside)
             row(wide(symbols));
@@ -151,7 +148,7 @@ public:
                                         .arg(quiet(equals(*line)));
             row((isBeside ? beside(std::exchange(symbols, {}), channel) : wide(channel))
                 + used(*line));
-            compare(*line, place);
+            compare(*line, isBeside ? &HtmlWriter::indented : &HtmlWriter::wide);
         }
     }
 
@@ -188,6 +185,9 @@ private:
             .arg(unbroken(symbols.isEmpty() ? symbols : symbols + QStringLiteral(" &nbsp;")), html);
     }
 
+    /// In the second of two such cells.
+    static QString indented(const QString &html) { return beside({}, html); }
+
     static QString unbroken(const QString &html)
     {
         return QStringLiteral("<p style='white-space:nowrap; margin:0'>%1</p>").arg(html);
@@ -200,18 +200,19 @@ private:
                 + usedHtml(line, m_arithmetic)
                                     : usedHtml(line, m_arithmetic);
         const bool isWhole = displayText(line.used, m_arithmetic).size() <= mostUnbroken;
-        return QStringLiteral("<td align='right' style='padding-left:12px'>%1</td>")
-            .arg(isWhole ? unbroken(html) : html);
+        const QString width = isWhole ? QStringLiteral("width='1'") : QString(); // as its text
+        return QStringLiteral("<td align='right' style='padding-left:12px' %1>%2</td>")
+            .arg(width, isWhole ? unbroken(html) : html);
     }
 
     /// Adds the exact number and the error, where the arithmetic has rounded.
-    void compare(const FormulaLine &line, ChannelSymbols symbols = ChannelSymbols::Above)
+    void compare(const FormulaLine &line, QString (*cells)(const QString &html) = &HtmlWriter::wide)
     {
         if (!isCompared(line, m_arithmetic) || isSameAsExact(line))
             return;
         const QString exact
             = QStringLiteral("&nbsp; &nbsp; ") + quiet(typesetHtml(exactText(line)));
-        row((symbols == ChannelSymbols::Beside ? beside({}, exact) : wide(exact))
+        row(cells(exact)
             + QStringLiteral("<td align='right'>%1</td>")
                   .arg(unbroken(quiet(typesetHtml(errorText(line))))));
     }
@@ -228,7 +229,6 @@ private:
     }
 
     Arithmetic m_arithmetic;
-    ChannelSymbols m_symbols;
     const QPalette &m_palette;
     QString m_quiet;
     QString m_bar;
@@ -238,10 +238,9 @@ private:
 
 } // namespace
 
-QString formulaHtml(const Explanation &explanation, Arithmetic arithmetic, const QPalette &palette,
-                    ChannelSymbols symbols)
+QString formulaHtml(const Explanation &explanation, Arithmetic arithmetic, const QPalette &palette)
 {
-    HtmlWriter writer(arithmetic, palette, symbols);
+    HtmlWriter writer(arithmetic, palette);
     for (const NumberSubject subject : otherSubjects) {
         bool hasBegun = false;
         for (const FormulaLine &line : explanation.lines) {

@@ -20,12 +20,6 @@ constexpr double gridIsFull = 16;
 constexpr double gridOpacity = 0.4;
 constexpr double leastPickedBox = 7;
 
-QColor withOpacity(QColor colour, double opacity)
-{
-    colour.setAlphaF(float(opacity));
-    return colour;
-}
-
 } // namespace
 
 LayerSurface layerSurface(const ViewMapping &mapping, const QRectF &view, const QPalette &palette)
@@ -44,7 +38,7 @@ QColor gridColour(const ViewMapping &mapping)
 {
     const double length = mapping.zoom().devicePixels / mapping.devicePixelRatio();
     const double grown = (length - gridAppears) / (gridIsFull - gridAppears);
-    return withOpacity(Qt::gray, gridOpacity * std::clamp(grown, 0.0, 1.0));
+    return translucent(Qt::gray, gridOpacity * std::clamp(grown, 0.0, 1.0));
 }
 
 EdgeRoles rolesOf(const SetUpRecord &setUp)
@@ -73,7 +67,7 @@ FramePainter::FramePainter(QPainter &painter, const ViewMapping &mapping, const 
 void FramePainter::drawFrameEdge()
 {
     const QRect picture = m_mapping.devicePicture();
-    const QColor colour = withOpacity(m_palette.color(QPalette::WindowText), 0.5);
+    const QColor colour = translucent(m_palette.color(QPalette::WindowText), 0.5);
     const QRect around = picture.adjusted(-1, -1, 1, 1);
     fillDevice({around.left(), around.top(), around.width(), 1}, colour);
     fillDevice({around.left(), around.bottom(), around.width(), 1}, colour);
@@ -134,7 +128,7 @@ void FramePainter::drawHandle(const LatticePoint &point, const Colour &colour, H
         const QColor highlight = m_palette.color(QPalette::Highlight);
         m_painter.setPen(QPen(casing(), 1));
         m_painter.setBrush(state == HandleState::Selected ? highlight
-                                                          : withOpacity(highlight, 0.5));
+                                                          : translucent(highlight, 0.5));
         m_painter.drawEllipse(centre, halo, halo);
     }
     m_painter.setPen(QPen(casing(), 3.5));
@@ -151,7 +145,7 @@ void FramePainter::drawCandidate(const LatticePoint &point, const Colour &colour
 {
     const QPointF centre = m_mapping.positionOf(point);
     m_painter.setRenderHint(QPainter::Antialiasing);
-    m_painter.setBrush(withOpacity(QColor::fromRgb(packed(colour)), 0.6));
+    m_painter.setBrush(translucent(QColor::fromRgb(packed(colour)), 0.6));
     m_painter.setPen(QPen(casing(), 3));
     m_painter.drawEllipse(centre, candidateRadius, candidateRadius);
     m_painter.setBrush(Qt::NoBrush);
@@ -182,7 +176,7 @@ void FramePainter::drawPlumbLine(const SpanPlace &place)
         return isColumn ? QRect(from, view.top(), thickness, view.height())
                         : QRect(view.left(), from, view.width(), thickness);
     };
-    fillDevice(line(start - side, width + 2 * side), withOpacity(casing(), 0.55));
+    fillDevice(line(start - side, width + 2 * side), translucent(casing(), 0.55));
     fillDevice(line(start, width), signColour(Sign::CurrentColumn, m_palette));
 }
 
@@ -226,7 +220,7 @@ void FramePainter::drawCased(const QLineF &line, const QColor &colour, double wi
     if (!visible)
         return;
     m_painter.setRenderHint(QPainter::Antialiasing);
-    m_painter.setPen(QPen(withOpacity(casing(), 0.8), width + 2, Qt::SolidLine, Qt::RoundCap));
+    m_painter.setPen(QPen(translucent(casing(), 0.8), width + 2, Qt::SolidLine, Qt::RoundCap));
     m_painter.drawLine(*visible);
     m_painter.setPen(QPen(colour, width, style, Qt::FlatCap));
     m_painter.drawLine(*visible);

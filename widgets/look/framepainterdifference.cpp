@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/look/framepainter.h"
 
-#include <QPainter>
-#include <QPainterPath>
-#include <QWidget>
+#include <QtWidgets>
 
 #include <algorithm>
 

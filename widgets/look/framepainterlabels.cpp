@@ -273,9 +273,7 @@ QRectF FramePainter::drawPlateIn(const QRectF &plate)
     m_plates.push_back(plate);
     m_painter.setRenderHint(QPainter::Antialiasing);
     m_painter.setPen(Qt::NoPen);
-    QColor paper = m_palette.color(QPalette::Base);
-    paper.setAlphaF(plateOpacity);
-    m_painter.setBrush(paper);
+    m_painter.setBrush(translucent(m_palette.color(QPalette::Base), plateOpacity));
     m_painter.drawRoundedRect(plate, 3, 3);
     return plate.adjusted(platePadding, 1, -platePadding, -1);
 }

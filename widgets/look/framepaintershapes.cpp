@@ -186,8 +186,7 @@ QPainterPath joined(const std::vector<QLineF> &lines)
 /// far longer.
 void FramePainter::drawOutlineLines(const std::vector<QLineF> &lines, double length)
 {
-    QColor around = casing();
-    around.setAlphaF(0.8F);
+    const QColor around = translucent(casing(), 0.8);
     m_painter.setRenderHint(QPainter::Antialiasing);
     m_painter.setBrush(Qt::NoBrush);
     for (const QPen &pen : {QPen(around, outlineWidth + 2),

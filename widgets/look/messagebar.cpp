@@ -39,9 +39,7 @@ MessageBar::MessageBar(QWidget *covered)
     m_text->setForegroundRole(QPalette::ToolTipText);
     for (QLabel *label : {m_glyph, m_text})
         label->setAttribute(Qt::WA_TransparentForMouseEvents);
-    QFont bold = font();
-    bold.setBold(true);
-    m_glyph->setFont(bold);
+    m_glyph->setFont(bold(font()));
 
     auto *close = named(new QToolButton(this), "closeMessage");
     close->setText(tr("Close"));

@@ -104,18 +104,4 @@ void NumberLayout::draw(QPainter &painter, const QRectF &rect, const QString &di
     painter.setFont(font);
 }
 
-QFont tabularFont(const QFont &font)
-{
-    const QFontMetricsF metrics(font);
-    const double zero = metrics.horizontalAdvance(u'0');
-    for (char16_t digit = u'1'; digit <= u'9'; ++digit) {
-        if (std::abs(metrics.horizontalAdvance(QChar(digit)) - zero) > 0.01) {
-            QFont fixed = QFontDatabase::systemFont(QFontDatabase::FixedFont);
-            fixed.setPointSizeF(font.pointSizeF());
-            return fixed;
-        }
-    }
-    return font;
-}
-
 } // namespace pixelplumb

@@ -46,7 +46,4 @@ private:
     double m_decimals = 0;
 };
 
-/// The font itself when all its digits are equally wide, else the system's fixed font at that size.
-QFont tabularFont(const QFont &font);
-
 } // namespace pixelplumb

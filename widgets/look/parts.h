@@ -11,6 +11,12 @@
 
 namespace pixelplumb {
 
+inline QFont bold(QFont font)
+{
+    font.setBold(true);
+    return font;
+}
+
 /// Names a widget or another object; a widget also in words.
 template <class Part>
 Part *named(Part *part, const char *name, const QString &inWords = {}, const QString &toolTip = {})

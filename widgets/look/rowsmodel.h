@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "widgets/look/numberlayout.h"
 #include "widgets/look/parts.h"
 
 #include <QAbstractTableModel>
@@ -124,7 +123,6 @@ inline void readByRows(QTableView *table)
     table->setSelectionMode(QAbstractItemView::SingleSelection);
     table->setFrameShape(QFrame::NoFrame);
     table->setTabKeyNavigation(false);
-    table->setFont(tabularFont(table->font()));
     table->horizontalHeader()->setHighlightSections(false);
     table->horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
 }

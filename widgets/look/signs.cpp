@@ -3,49 +3,35 @@
 
 #include <QtWidgets>
 
+#include <array>
+
 namespace pixelplumb {
 
 namespace {
 
-struct SignColours {
-    QRgb light; ///< on a light base
-    QRgb dark; ///< on a dark base
+struct SignLook {
+    QRgb onLight;
+    QRgb onDark;
+    const char *glyph; ///< empty where the sign's position marks it
 };
 
-// Okabe and Ito 2008: orange e69f00, sky blue 56b4e9, bluish green 009e73, yellow f0e442,
-// blue 0072b2, vermillion d55e00, reddish purple cc79a7; darker or lighter by palette for contrast.
-SignColours coloursOf(Sign sign)
-{
-    switch (sign) {
-    case Sign::LowerEdge:
-        return {0x0072b2, 0x56b4e9};
-    case Sign::UpperEdge:
-        return {0xb34700, 0xff9e4a};
-    case Sign::CurrentColumn:
-        return {0x00775a, 0x2fd0a0};
-    case Sign::PickedPixel:
-        return {0x8a3f6e, 0xe39ac4};
-    case Sign::Missing:
-        return {0x0060a0, 0x7cc7f2};
-    case Sign::Extra:
-        return {0xb34700, 0xffa35c};
-    case Sign::ColourDiffers:
-        return {0x8a3f6e, 0xe39ac4};
-    case Sign::Tie:
-        return {0x76690a, 0xf0e442};
-    case Sign::Clamp:
-        return {0x9a5a00, 0xf0b53c};
-    case Sign::FirstDifference:
-        return {0xb34700, 0xffa35c};
-    case Sign::VertexMark:
-        return {0x404040, 0xd8d8d8};
-    case Sign::Breakpoint:
-        return {0xb03020, 0xff7a66};
-    case Sign::Changed:
-        return {0x00775a, 0x2fd0a0};
-    }
-    return {0, 0xffffff};
-}
+// In the order of Sign. Okabe and Ito 2008: orange e69f00, sky blue 56b4e9, bluish green 009e73,
+// yellow f0e442, blue 0072b2, vermillion d55e00, reddish purple cc79a7; darker or lighter by
+// palette for contrast.
+constexpr std::array<SignLook, 13> signLooks = {{{0x0072b2, 0x56b4e9, ""}, // LowerEdge
+                                                 {0xb34700, 0xff9e4a, ""}, // UpperEdge
+                                                 {0x00775a, 0x2fd0a0, ""}, // CurrentColumn
+                                                 {0x8a3f6e, 0xe39ac4, ""}, // PickedPixel
+                                                 {0x0060a0, 0x7cc7f2, "?"}, // Missing
+                                                 {0xb34700, 0xffa35c, "!"}, // Extra
+                                                 {0x8a3f6e, 0xe39ac4, "c"}, // ColourDiffers
+                                                 {0x76690a, 0xf0e442, "="}, // Tie
+                                                 {0x9a5a00, 0xf0b53c, "^"}, // Clamp
+                                                 {0xb34700, 0xffa35c, "≠"}, // FirstDifference
+                                                 {0x404040, 0xd8d8d8, ""}, // VertexMark
+                                                 {0xb03020, 0xff7a66, "●"}, // Breakpoint
+                                                 {0x00775a, 0x2fd0a0, "•"}}}; // Changed
+static_assert(signLooks.size() == std::size_t(Sign::Changed) + 1);
 
 class StepIconEngine final : public QIconEngine {
 public:
@@ -130,38 +116,11 @@ Sign signOf(Difference difference)
 
 QColor signColour(Sign sign, const QPalette &palette)
 {
-    const SignColours colours = coloursOf(sign);
-    return QColor::fromRgb(isDark(palette) ? colours.dark : colours.light);
+    const SignLook &look = signLooks[std::size_t(sign)];
+    return QColor::fromRgb(isDark(palette) ? look.onDark : look.onLight);
 }
 
-QString signGlyph(Sign sign)
-{
-    switch (sign) {
-    case Sign::Missing:
-        return QStringLiteral("?");
-    case Sign::Extra:
-        return QStringLiteral("!");
-    case Sign::ColourDiffers:
-        return QStringLiteral("c");
-    case Sign::Tie:
-        return QStringLiteral("=");
-    case Sign::Clamp:
-        return QStringLiteral("^");
-    case Sign::FirstDifference:
-        return QStringLiteral("≠");
-    case Sign::Breakpoint:
-        return QStringLiteral("●");
-    case Sign::Changed:
-        return QStringLiteral("•");
-    case Sign::LowerEdge:
-    case Sign::UpperEdge:
-    case Sign::CurrentColumn:
-    case Sign::PickedPixel:
-    case Sign::VertexMark:
-        break;
-    }
-    return {};
-}
+QString signGlyph(Sign sign) { return QString::fromUtf8(signLooks[std::size_t(sign)].glyph); }
 
 bool isDark(const QPalette &palette) { return palette.color(QPalette::Window).lightness() < 128; }
 

@@ -41,6 +41,13 @@ enum class StepSign { ToStart, Backward, Play, Pause, Forward, ToEnd };
 /// An icon in the palette's current text colour, also when disabled, at any size.
 QIcon stepIcon(StepSign sign);
 
+/// The colour at an opacity of 0 … 1.
+inline QColor translucent(QColor colour, double opacity)
+{
+    colour.setAlphaF(float(opacity));
+    return colour;
+}
+
 /// `base` with a share (0 … 1) of `tint` mixed in, channel by channel.
 inline QColor blended(const QColor &base, const QColor &tint, float share)
 {

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/look/symboltext.h"
 
-#include <QFontMetricsF>
-#include <QPainter>
+#include <QtWidgets>
 
 namespace pixelplumb {
 

@@ -183,12 +183,6 @@ QVariant ColumnTableModel::numberData(const RowNumbers &numbers, const Entry &en
     case MeasuredTextRole:
         return entry.face == NumberFace::Used ? usedText(used)
                                               : faceText(used, exact(), entry.face);
-    case UsedTextRole:
-        return usedText(used);
-    case ExactTextRole:
-        return displayText(exact());
-    case ErrorTextRole:
-        return displayError(used, exact());
     case CanonicalTextRole:
         return canonicalText(used, exact(), entry.face);
     case ChangedRole:

@@ -29,10 +29,8 @@ class ColumnTableModel : public QAbstractTableModel {
 
 public:
     enum Role {
-        UsedTextRole = Qt::UserRole + 1, ///< displayed text of the number used
-        ExactTextRole,
-        ErrorTextRole,
-        MeasuredTextRole, ///< the number that the cell will show, also while hidden: for its width
+        /// The number that the cell will show, also while hidden: for its width.
+        MeasuredTextRole = Qt::UserRole + 1,
         CanonicalTextRole, ///< of the cell's own face, as `pixelplumb-cli trace` writes it
         ChangedRole, ///< bool: differs from the primitive's previous span
         MarkedDigitRole, ///< int: index of the first character of DisplayRole that differs from the

@@ -5,8 +5,7 @@
 #include "core/runs/tracedscene.h"
 #include "widgets/look/corewords.h"
 
-#include <QCoreApplication>
-#include <QStringList>
+#include <QtWidgets>
 
 #include <algorithm>
 

@@ -68,9 +68,6 @@ public:
     Ahead ahead() const { return aheadAt(position()); }
 
     const Breakpoints &breakpoints() const { return m_breakpoints; }
-    const std::set<std::int64_t> &columnBreakpoints() const { return m_breakpoints.columns; }
-    const std::set<std::int64_t> &rowBreakpoints() const { return m_breakpoints.rows; }
-    const std::set<std::pair<int, int>> &pixelBreakpoints() const { return m_breakpoints.pixels; }
 
 public slots:
     void seek(std::size_t position);

@@ -8,8 +8,7 @@
 #include "widgets/look/corewords.h"
 #include "widgets/model/placinghint.h"
 
-#include <QCoreApplication>
-#include <QRegularExpression>
+#include <QtWidgets>
 
 #include <algorithm>
 

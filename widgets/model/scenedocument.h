@@ -116,7 +116,6 @@ public slots:
     void clear(); ///< all primitives, hidden ones too, solids and pending vertices
     void setFrame(const pixelplumb::FrameSpec &frame);
     /// Changes with the same drag number are one edit.
-    void setCamera(const pixelplumb::Camera &camera, int drag);
     void setSolid(std::size_t index, const pixelplumb::Solid &solid, int drag);
     void setSolidShown(std::size_t index, bool shown);
     bool canMoveSolid(std::size_t index, int places) const;

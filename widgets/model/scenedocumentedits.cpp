@@ -207,13 +207,6 @@ void SceneDocument::setFrame(const FrameSpec &frame)
     edit(tr("change frame"), pieceAtEnd(), [&](ScenePiece &piece) { piece.scene.frame = frame; });
 }
 
-void SceneDocument::setCamera(const Camera &camera, int drag)
-{
-    edit(
-        tr("move camera"), pieceAtEnd(), [&](ScenePiece &piece) { piece.scene.camera = camera; },
-        Drag{VertexRef(), drag});
-}
-
 void SceneDocument::setAppearance(const Appearance &appearance)
 {
     edit(tr("change appearance"), pieceAtEnd(),

@@ -6,8 +6,7 @@
 #include "widgets/look/corewords.h"
 #include "widgets/model/scenedocument.h"
 
-#include <QCoreApplication>
-#include <QRegularExpression>
+#include <QtWidgets>
 
 namespace pixelplumb {
 

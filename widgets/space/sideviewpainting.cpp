@@ -3,8 +3,7 @@
 #include "widgets/look/signs.h"
 #include "widgets/space/sideview.h"
 
-#include <QPainter>
-#include <QPainterPath>
+#include <QtWidgets>
 
 #include <algorithm>
 #include <array>
@@ -15,12 +14,6 @@ namespace {
 
 constexpr double dotRadius = 3; // logical pixels
 constexpr double nameDistance = 6;
-
-QColor faint(QColor colour, double opacity)
-{
-    colour.setAlphaF(float(opacity));
-    return colour;
-}
 
 /// The signs of the direction from a polygon's middle to one of its corners.
 QPointF sideAwayFrom(const QPolygonF &polygon, int corner)
@@ -103,10 +96,10 @@ void SideView::drawName(QPainter &painter, const QString &name, const QPointF &p
 
 void SideView::drawScene(QPainter &painter)
 {
-    painter.setPen(QPen(faint(palette().color(QPalette::Text), 0.3), 0.75));
+    painter.setPen(QPen(translucent(palette().color(QPalette::Text), 0.3), 0.75));
     for (const auto &[from, to] : m_scene->edges)
         drawLine(painter, from, to);
-    painter.setPen(QPen(faint(palette().color(QPalette::Text), 0.5), 1, Qt::DotLine));
+    painter.setPen(QPen(translucent(palette().color(QPalette::Text), 0.5), 1, Qt::DotLine));
     for (std::size_t i = 0; i < 4; ++i) {
         const Point &corner = m_scene->picturePlane[i];
         drawLine(painter, m_scene->isPerspective ? Point() : Point(corner.x, corner.y, 0), corner);
@@ -118,8 +111,8 @@ void SideView::drawScene(QPainter &painter)
 void SideView::drawPlane(QPainter &painter, const SideScene::Rectangle &plane, const QString &name)
 {
     const QColor text = palette().color(QPalette::Text);
-    painter.setPen(QPen(faint(text, 0.8), 1));
-    painter.setBrush(faint(text, 0.06));
+    painter.setPen(QPen(translucent(text, 0.8), 1));
+    painter.setBrush(translucent(text, 0.06));
     const QPolygonF polygon = polygonOf(plane);
     painter.drawPolygon(polygon);
     painter.setBrush(Qt::NoBrush);
@@ -139,7 +132,7 @@ void SideView::drawRays(QPainter &painter) const
         painter.setPen(QPen(colour, 1, isSeen ? Qt::SolidLine : Qt::DashLine));
         drawLine(painter, m_scene->isPerspective ? Point() : Point(vertex.x, vertex.y, 0), vertex);
     }
-    painter.setPen(QPen(faint(colour, 0.6), 1));
+    painter.setPen(QPen(translucent(colour, 0.6), 1));
     for (const Point &corner : m_face->clipped) {
         drawLine(painter, m_scene->isPerspective ? Point() : Point(corner.x, corner.y, 0), corner);
     }
@@ -149,11 +142,11 @@ void SideView::drawFace(QPainter &painter)
 {
     const QColor text = palette().color(QPalette::Text);
     const QColor colour = signColour(Sign::CurrentColumn, palette());
-    painter.setPen(QPen(faint(colour, 0.7), 1, Qt::DashLine));
+    painter.setPen(QPen(translucent(colour, 0.7), 1, Qt::DashLine));
     painter.setBrush(Qt::NoBrush);
     painter.drawPolygon(polygonOf(m_face->vertices));
     painter.setPen(QPen(colour, 1.5));
-    painter.setBrush(faint(colour, 0.25));
+    painter.setBrush(translucent(colour, 0.25));
     painter.drawPolygon(polygonOf(m_face->clipped));
     painter.setPen(text);
     for (std::size_t i = 0; i < m_face->vertices.size(); ++i)
@@ -165,8 +158,8 @@ void SideView::drawFace(QPainter &painter)
 void SideView::drawPicture(QPainter &painter)
 {
     const QColor colour = signColour(Sign::CurrentColumn, palette());
-    painter.setPen(QPen(faint(colour, 0.7), 1));
-    painter.setBrush(faint(colour, 0.15));
+    painter.setPen(QPen(translucent(colour, 0.7), 1));
+    painter.setBrush(translucent(colour, 0.15));
     painter.drawPolygon(polygonOf(m_face->picture));
     if (m_face->picture.size() >= 3) {
         const auto &[a, b, c] = m_face->piece;

@@ -2,7 +2,6 @@
 #include "widgets/space/stagetree.h"
 
 #include "widgets/look/numberformat.h"
-#include "widgets/look/numberlayout.h"
 #include "widgets/look/parts.h"
 #include "widgets/look/symboltext.h"
 
@@ -62,7 +61,6 @@ StageTree::StageTree(QWidget *parent)
                              tr("Used − exact; at the lattice that is the snap's displacement"));
     setFrameShape(QFrame::NoFrame);
     setUniformRowHeights(true);
-    setFont(tabularFont(font()));
     setIndentation(indentation() / 2);
     header()->setSectionResizeMode(QHeaderView::ResizeToContents);
     header()->setStretchLastSection(false);
@@ -89,9 +87,7 @@ void StageTree::setStages(const std::vector<ProjectionStage> &stages)
 
 void StageTree::fillStage(QTreeWidgetItem *item, const ProjectionStage &stage)
 {
-    QFont bold = font();
-    bold.setBold(true);
-    item->setFont(NameColumn, bold);
+    item->setFont(NameColumn, bold(font()));
     item->setFirstColumnSpanned(true);
     // One equation per row: together they are too long.
     static const QRegularExpression nextEquation(QStringLiteral(", (?=[^,()=]+ = )"));

@@ -3,7 +3,6 @@
 
 #include "widgets/look/corewords.h"
 #include "widgets/look/numberformat.h"
-#include "widgets/look/numberlayout.h"
 #include "widgets/look/parts.h"
 #include "widgets/look/symboltext.h"
 #include "widgets/model/playhead.h"
@@ -137,10 +136,8 @@ SurfacesPanel::SurfacesPanel(SceneDocument *document, Playhead *playhead, QWidge
     , m_forms(new QTextBrowser)
 {
     named(this, "surfacesPanel", tr("Surfaces"));
-    m_parameters->setFont(tabularFont(font()));
     named(m_forms, "surfaceForms", tr("Forms of curves and surfaces"));
     m_forms->setFrameShape(QFrame::NoFrame);
-    m_forms->setFont(tabularFont(font()));
     m_forms->setWordWrapMode(QTextOption::WordWrap); // not in the middle of a number
     auto *sliders = withParts(
         new QHBoxLayout,

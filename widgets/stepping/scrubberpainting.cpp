@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/stepping/scrubber.h"
 
-#include <QPainter>
-#include <QStyleOptionFocusRect>
+#include <QtWidgets>
 
 namespace pixelplumb {
 
@@ -18,13 +17,6 @@ constexpr int trackHeight = 14;
 constexpr int wholeHeight = trackTop + trackHeight + margin / 2 + 2;
 constexpr double leastSpanWidth = 4; // narrower spans have no ticks
 constexpr double leastGlyphDistance = 8;
-
-QColor faint(const QPalette &palette)
-{
-    QColor colour = palette.color(QPalette::WindowText);
-    colour.setAlphaF(0.2F);
-    return colour;
-}
 
 } // namespace
 
@@ -68,8 +60,7 @@ void Scrubber::paintPosition(QPainter &painter) const
     const ScrubberScale toScreen = scale();
     const double x = toScreen.xOf(m_playhead->position());
     const QColor plumbLine = signColour(Sign::CurrentColumn, palette());
-    QColor done = plumbLine;
-    done.setAlphaF(0.3F);
+    const QColor done = translucent(plumbLine, 0.3);
     const double left = std::max(toScreen.left, double(gutter));
     const double doneWidth = std::min(x, double(width())) - left;
     painter.fillRect(QRectF(left, trackTop + 5, std::max(0.0, doneWidth), 4), done);
@@ -118,9 +109,7 @@ QRectF Scrubber::lanes() const
 
 void Scrubber::paintName(QPainter &painter, double top, double height, const QString &name) const
 {
-    QColor muted = palette().color(QPalette::WindowText);
-    muted.setAlphaF(0.75F);
-    painter.setPen(muted);
+    painter.setPen(translucent(palette().color(QPalette::WindowText), 0.75));
     painter.drawText(QRectF(0, top, gutter - margin - 2, height), Qt::AlignRight | Qt::AlignVCenter,
                      name);
 }
@@ -135,7 +124,7 @@ void Scrubber::paintLane(QPainter &painter, int lane, MarkKind kind, const QStri
     paintName(painter, top, laneHeight, glyph.isEmpty() ? name : name + QLatin1Char(' ') + glyph);
     painter.save();
     painter.setClipRect(lanes());
-    painter.setPen(QPen(faint(palette()), 1));
+    painter.setPen(QPen(translucent(palette().color(QPalette::WindowText), 0.2), 1));
     painter.drawLine(QPointF(toScreen.left, middle),
                      QPointF(toScreen.left + toScreen.width, middle));
     paintMarks(painter, top, kind);
@@ -183,13 +172,14 @@ void Scrubber::paintTrack(QPainter &painter) const
     const ScrubberScale toScreen = scale();
     paintName(painter, trackTop, trackHeight, tr("spans"));
     painter.setClipRect(lanes());
-    painter.fillRect(QRectF(toScreen.left, trackTop + 5, toScreen.width, 4), faint(palette()));
+    painter.fillRect(QRectF(toScreen.left, trackTop + 5, toScreen.width, 4),
+                     translucent(palette().color(QPalette::WindowText), 0.2));
     const TracedScene *traced = m_playhead->traced();
     if (!traced)
         return;
     const ScanTrace &trace = *traced->trace;
     if (trace.spanCount() > 0 && toScreen.width / double(trace.spanCount()) >= leastSpanWidth) {
-        painter.setPen(QPen(faint(palette()), 1));
+        painter.setPen(QPen(translucent(palette().color(QPalette::WindowText), 0.2), 1));
         for (std::size_t span = 0; span < trace.spanCount(); ++span) {
             const std::size_t position = trace.indexOfSpan(span) + 1;
             // How far apart those ahead are tells how many samples they have.

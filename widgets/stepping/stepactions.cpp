@@ -79,12 +79,8 @@ void StepActions::addSteps()
         action->setIcon(stepIcon(direction == forward ? StepSign::Forward : StepSign::Backward));
         m_steps[std::size_t(unit)][std::size_t(direction)] = action;
     };
-    addStep(StepUnit::Span, forward, "nextColumn", tr("Next &column"), tr("column"), Qt::Key_F10,
-            tr("Go on to the next column, or first to the pixel that stepping back set out from"));
-    addStep(StepUnit::Span, backward, "previousColumn", tr("Previous c&olumn"), tr("column"),
-            Qt::SHIFT | Qt::Key_F10,
-            tr("Go back to where this column begins, to the previous one, or to the pixel that "
-               "stepping on set out from"));
+    addStep(StepUnit::Span, forward, "nextColumn", {}, {}, Qt::Key_F10, {}); // see nameSpans()
+    addStep(StepUnit::Span, backward, "previousColumn", {}, {}, Qt::SHIFT | Qt::Key_F10, {});
     addStep(StepUnit::Sample, forward, "nextPixel", tr("Next &pixel"), tr("pixel"), Qt::Key_F11,
             tr("Write the next pixel"));
     addStep(StepUnit::Sample, backward, "previousPixel", tr("Previous p&ixel"), tr("pixel"),
@@ -119,9 +115,8 @@ void StepActions::addSteps()
 
 void StepActions::addBreakpoints()
 {
-    m_columnBreakpoint
-        = add(QStringLiteral("toggleColumnBreakpoint"), tr("Break&point on the column"), {},
-              Qt::Key_F9, tr("Set or clear a breakpoint on the current column or row"));
+    m_columnBreakpoint = add(QStringLiteral("toggleColumnBreakpoint"), {}, {}, Qt::Key_F9,
+                             tr("Set or clear a breakpoint on the current column or row"));
     connect(m_columnBreakpoint, &QAction::triggered, this, [this] {
         if (const std::optional<SpanPlace> place = m_playhead->currentPlace())
             m_playhead->toggleSpanBreakpoint(*place);
@@ -154,7 +149,7 @@ void StepActions::addUnits()
                 [action, unit](StepUnit chosen) { action->setChecked(chosen == unit); });
     };
     addUnit(StepUnit::SetUp, "unitSetUp", tr("by primitives"));
-    addUnit(StepUnit::Span, "unitColumn", tr("by columns"));
+    addUnit(StepUnit::Span, "unitColumn", {});
     addUnit(StepUnit::Sample, "unitPixel", tr("by pixels"));
 }
 

@@ -92,8 +92,9 @@ void EditMenu::addClipboard()
                         [pictures] { pictures->take(*QApplication::clipboard()->mimeData()); });
     paste->setShortcuts(
         {QKeySequence(Qt::CTRL | Qt::Key_V), QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_V)});
-    paste->setToolTip(tr("Marks on the canvas what differs in a picture or a raster of # and . "
-                         "from the clipboard (Ctrl+V)"));
+    paste->setToolTip(
+        tr("Marks on the canvas what differs in the clipboard's picture, or raster of "
+           "“#” and “.” (Ctrl+V)"));
 }
 
 void EditMenu::addVertices(QWidget *window)

@@ -3,8 +3,7 @@
 
 #include "widgets/inspect/formulapanel.h"
 
-#include <QDockWidget>
-#include <QMainWindow>
+#include <QtWidgets>
 
 #include <algorithm>
 #include <utility>
@@ -19,6 +18,11 @@ constexpr int spreadHeight = 880;
 constexpr int pairedHeight = 700;
 
 constexpr int leftWidth = 280; ///< of the panels left of the canvas, at least
+constexpr int lineWidth = 460; ///< of the formulas: a line of an edge in exact numbers
+
+// Percent of the window's height: the columns have three rows at least.
+constexpr int leastColumns = 22;
+constexpr int mostColumns = 36;
 
 } // namespace
 
@@ -165,14 +169,14 @@ void FirstArrangement::arrangePixelPanels()
 }
 
 /// Gives the formulas the height they need, as far as the pixel grid stays legible at its minimum;
-/// the other panels of their column share the rest.
+/// the other panels of their column share the rest. Without others, the columns below give way.
 void FirstArrangement::fitFormula()
 {
     const auto *formula = qobject_cast<const FormulaPanel *>(m_usual.formula->widget());
     if (!formula || !isInFront(*m_usual.formula) || m_usual.formula->isFloating()
         || formula->neededHeight() == 0)
         return;
-    QList<QDockWidget *> column;
+    QList<QDockWidget *> column = {m_usual.formula};
     int others = 0;
     for (QDockWidget *dock : {m_usual.pixelGrid, m_usual.pixelHistory}) {
         // Tabbed docks are all visible to Qt; one of them is counted.
@@ -187,25 +191,34 @@ void FirstArrangement::fitFormula()
         others += dock->height();
     }
     const int wanted = m_usual.formula->height() - formula->height() + formula->neededHeight();
+    if (column.size() == 1)
+        return shortenColumns(wanted - m_usual.formula->height());
     const int rest
         = std::max(0, m_usual.formula->height() + others - wanted - DockRoom::tabsHeight);
-    QList<int> heights;
-    for (const QDockWidget *dock : std::as_const(column))
+    QList<int> heights = {wanted};
+    for (const QDockWidget *dock : column.sliced(1))
         heights += std::max(1, rest * dock->height() / others);
-    column.prepend(m_usual.formula);
-    heights.prepend(wanted);
     m_window->resizeDocks(column, heights, Qt::Vertical);
+}
+
+void FirstArrangement::shortenColumns(int lack)
+{
+    const bool isBelow = m_window->dockWidgetArea(m_usual.columns) == Qt::BottomDockWidgetArea
+        && m_window->corner(Qt::BottomRightCorner) == Qt::BottomDockWidgetArea;
+    const int least = m_window->height() * leastColumns / 100;
+    if (isBelow && lack > 0 && m_usual.columns->height() > least)
+        m_window->resizeDocks({m_usual.columns},
+                              {std::max(least, m_usual.columns->height() - lack)}, Qt::Vertical);
 }
 
 void FirstArrangement::resizeStep()
 {
     const int width = m_window->width();
     const int height = m_window->height();
-    const int right = std::min(std::max(width * 37 / 100, m_usual.formulaWidth), width * 45 / 100);
+    const int right = std::min(std::max(width * 37 / 100, lineWidth), width * 45 / 100);
     m_window->resizeDocks({m_usual.formula}, {right}, Qt::Horizontal);
-    const int most = sharing() == Sharing::Tabbed ? 28 : 36; // percent; it takes from the formulas
-    const int columns
-        = std::clamp(m_usual.columns->sizeHint().height(), height * 22 / 100, height * most / 100);
+    const int columns = std::clamp(m_usual.columns->sizeHint().height(),
+                                   height * leastColumns / 100, height * mostColumns / 100);
     m_window->resizeDocks({m_usual.columns}, {columns}, Qt::Vertical);
     if (sharing() == Sharing::Spread)
         m_window->resizeDocks({m_usual.columns, m_usual.pixelHistory}, {width - right, right},

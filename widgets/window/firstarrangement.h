@@ -32,6 +32,8 @@ private:
     Sharing sharing() const;
     void arrangePixelPanels();
     void shareLeftPlace();
+    /// Lowers the columns below the formulas by what these lack, px.
+    void shortenColumns(int lack);
     void resizeStep();
     bool isNarrow() const;
 

@@ -9,8 +9,7 @@
 #include "widgets/model/runnotes.h"
 #include "widgets/model/scenedocument.h"
 
-#include <QActionGroup>
-#include <QMap>
+#include <QtWidgets>
 
 namespace pixelplumb {
 

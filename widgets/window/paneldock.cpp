@@ -187,7 +187,8 @@ void DockRoom::makeBeside(QDockWidget *dock)
     if (m_window->dockWidgetArea(dock) == Qt::LeftDockWidgetArea) {
         const int wanted = dock->sizeHint().width();
         if (m_usual.formula->isHidden())
-            return m_window->resizeDocks({dock}, {std::min(wanted, half())}, Qt::Horizontal);
+            return m_window->resizeDocks({dock}, {std::min(wanted, m_window->width() * 35 / 100)},
+                                         Qt::Horizontal); // the study below needs the width
         const int left = std::max(dock->minimumSizeHint().width(),
                                   std::min(wanted, half() - m_usual.formulaWidth));
         const int right = std::min(m_usual.formula->width(), half() - left);

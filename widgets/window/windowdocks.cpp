@@ -13,9 +13,7 @@
 #include "widgets/window/paneldock.h"
 #include "widgets/window/workspaces.h"
 
-#include <QAction>
-#include <QApplication>
-#include <QMainWindow>
+#include <QtWidgets>
 
 #include <utility>
 

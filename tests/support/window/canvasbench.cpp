@@ -3,9 +3,8 @@
 
 #include "tests/support/scanning.h"
 
-#include <QApplication>
-#include <QMouseEvent>
 #include <QTest>
+#include <QtWidgets>
 
 namespace pixelplumb {
 

@@ -5,11 +5,8 @@
 #include "widgets/studies/grade/gradebook.h"
 #include "widgets/studies/grade/gradingpanel.h"
 
-#include <QAbstractItemView>
-#include <QCoreApplication>
-#include <QDirIterator>
-#include <QFile>
 #include <QTest>
+#include <QtWidgets>
 
 namespace pixelplumb {
 

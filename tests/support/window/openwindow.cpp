@@ -7,9 +7,8 @@
 #include "widgets/model/scenedocument.h"
 #include "widgets/window/paneldock.h"
 
-#include <QApplication>
-#include <QDropEvent>
 #include <QTest>
+#include <QtWidgets>
 
 #include <algorithm>
 #include <map>

@@ -11,6 +11,8 @@
 /// promised object names.
 namespace pixelplumb {
 
+using namespace Qt::StringLiterals;
+
 struct Scene;
 
 /// The window as a user first sees it: active, the canvas in focus, the default scene half drawn.

@@ -3,9 +3,7 @@
 
 #include "tests/support/sourcetree.h"
 
-#include <QDir>
-#include <QFile>
-#include <QXmlStreamReader>
+#include <QtWidgets>
 
 namespace pixelplumb {
 

@@ -6,9 +6,8 @@
 #include "tests/support/window/canvasbench.h"
 #include "tests/support/window/layerlook.h"
 
-#include <QRegularExpression>
 #include <QTest>
-#include <QUndoStack>
+#include <QtWidgets>
 
 #include <cmath>
 #include <functional>

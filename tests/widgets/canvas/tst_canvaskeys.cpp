@@ -3,10 +3,8 @@
 #include "tests/support/testprogram.h"
 #include "tests/support/window/canvasbench.h"
 
-#include <QAccessible>
-#include <QElapsedTimer>
-#include <QLineEdit>
 #include <QTest>
+#include <QtWidgets>
 
 namespace tst_canvaskeys {
 

@@ -4,12 +4,8 @@
 #include "tests/support/window/canvasbench.h"
 #include "widgets/dialogs/triangledialog.h"
 
-#include <QInputDialog>
-#include <QLineEdit>
-#include <QMenu>
-#include <QPushButton>
-#include <QSignalSpy>
-#include <QTest>
+#include <QtTest>
+#include <QtWidgets>
 
 namespace tst_canvasplacing {
 

@@ -2,8 +2,7 @@
 #include "tests/support/testprogram.h"
 #include "tests/support/window/canvasbench.h"
 
-#include <QSignalSpy>
-#include <QTest>
+#include <QtTest>
 
 namespace tst_canvasview {
 
@@ -45,7 +44,6 @@ private slots:
         for (int i = 0; i < 30; ++i)
             QTest::keyClick(&bench.canvas, Qt::Key_Plus, Qt::ShiftModifier);
         QCOMPARE(bench.canvas.zoom(), 128);
-        QCOMPARE(bench.canvas.zoomText(), QStringLiteral("128×"));
         for (int i = 0; i < 30; ++i)
             QTest::keyClick(&bench.canvas, Qt::Key_Minus);
         QCOMPARE(bench.canvas.zoom(), 1);
@@ -57,7 +55,6 @@ private slots:
         huge.height = 4096;
         bench.document.setFrame(huge);
         QVERIFY(bench.canvas.zoom() < -1);
-        QVERIFY(bench.canvas.zoomText().startsWith(QStringLiteral("1:")));
     }
 
     void fitFollowsTheSizeOfTheWidget()
@@ -112,9 +109,9 @@ private slots:
         CanvasBench bench(firstScene());
         const QPoint ruler = bench.onColumnRuler(33);
         QTest::mouseDClick(&bench.canvas, Qt::LeftButton, {}, ruler);
-        QCOMPARE(bench.playhead.columnBreakpoints(), std::set<std::int64_t>{33});
+        QCOMPARE(bench.playhead.breakpoints().columns, std::set<std::int64_t>{33});
         QTest::mouseClick(&bench.canvas, Qt::RightButton, {}, ruler);
-        QVERIFY(bench.playhead.columnBreakpoints().empty());
+        QVERIFY(bench.playhead.breakpoints().isEmpty());
     }
 
     void tellsWhereThePointerIs()

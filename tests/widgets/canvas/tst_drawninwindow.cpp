@@ -10,13 +10,8 @@
 #include "widgets/model/scenedocument.h"
 #include "widgets/stepping/scrubber.h"
 
-#include <QLabel>
-#include <QMouseEvent>
-#include <QRegularExpression>
-#include <QStatusBar>
-#include <QTableView>
 #include <QTest>
-#include <QTextBrowser>
+#include <QtWidgets>
 
 namespace tst_drawninwindow {
 
@@ -51,10 +46,7 @@ QString pixelInStatusBar(const MainWindow &window)
     return named<QLabel>(window, "statusPixel")->text().section(u' ', 0, 2);
 }
 
-QString pixelText(const QPoint &pixel)
-{
-    return QStringLiteral("pixel (%1, %2)").arg(pixel.x()).arg(pixel.y());
-}
+QString pixelText(const QPoint &pixel) { return u"pixel (%1, %2)"_s.arg(pixel.x()).arg(pixel.y()); }
 
 } // namespace
 
@@ -95,9 +87,10 @@ private slots:
         const std::vector<Vertex> waiting = document.pendingVertices();
         document.setMethod("line-bresenham");
         QVERIFY(document.pendingVertices().empty());
-        QCOMPARE(window->statusBar()->currentMessage(),
-                 QStringLiteral("2 waiting vertices dropped: “Line: Bresenham” draws another kind "
-                                "of primitive. Undo brings them back."));
+        QCOMPARE(
+            window->statusBar()->currentMessage(),
+            u"2 waiting vertices dropped: “Line: Bresenham” draws another kind of primitive. Undo "
+            "brings them back."_s);
 
         press(*window, Qt::Key_Z, Qt::ControlModifier);
         QCOMPARE(document.scene().method, std::string("column-scan"));
@@ -188,7 +181,7 @@ private slots:
                 const std::int64_t along
                     = floorPixel(axis == SpanAxis::Row ? vertex.position.y : vertex.position.x);
                 QVERIFY2(reached[triangle].contains(along),
-                         qPrintable(QStringLiteral("triangle %1, %2").arg(triangle).arg(along)));
+                         qPrintable(u"triangle %1, %2"_s.arg(triangle).arg(along)));
             }
         }
     }
@@ -217,8 +210,7 @@ private slots:
         QCOMPARE(window->parts().playhead->position(), std::size_t(1));
         const QString text = named<QTextBrowser>(*window, "formulaText")->toPlainText();
         for (qsizetype i = 0; i < numbers.size(); ++i) {
-            const QRegularExpression line(
-                QStringLiteral("%1₀ = [^\\n]*\\n%2\\n").arg(QStringLiteral("abc")[i], numbers[i]));
+            const QRegularExpression line(u"%1₀ = [^\\n]*\\n%2\\n"_s.arg(u"abc"_s[i], numbers[i]));
             QVERIFY2(line.match(text).hasMatch(), qPrintable(line.pattern() + u'\n' + text));
         }
     }

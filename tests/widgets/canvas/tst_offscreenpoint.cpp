@@ -2,8 +2,7 @@
 #include "tests/support/testprogram.h"
 #include "tests/support/window/canvasbench.h"
 
-#include <QSignalSpy>
-#include <QTest>
+#include <QtTest>
 
 namespace tst_offscreenpoint {
 

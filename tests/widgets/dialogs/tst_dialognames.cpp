@@ -10,15 +10,8 @@
 #include "widgets/lab/labfiles.h"
 #include "widgets/model/scenedocument.h"
 
-#include <QAbstractButton>
-#include <QApplication>
-#include <QClipboard>
-#include <QDialog>
-#include <QDir>
-#include <QMap>
-#include <QTemporaryDir>
 #include <QTest>
-#include <QTimer>
+#include <QtWidgets>
 
 #include <functional>
 
@@ -79,7 +72,7 @@ QMap<QString, Way> ways()
          [](MainWindow &window) {
              const QTemporaryDir folder;
              window.parts().document->reset(largeScene());
-             window.parts().files->saveTo(folder.filePath(QStringLiteral("large.json")));
+             window.parts().files->saveTo(folder.filePath(u"large.json"_s));
              window.parts().files->newScene();
          }},
         {"saveDialog", byAction("saveSceneAs")},
@@ -87,7 +80,7 @@ QMap<QString, Way> ways()
         {"exportDialog", byAction("exportPicture")},
         {"recoveryDialog",
          [](MainWindow &window) {
-             const QString path = Autosave::defaultFolder() + QStringLiteral("/dialogname.json");
+             const QString path = Autosave::defaultFolder() + u"/dialogname.json"_s;
              QDir().mkpath(Autosave::defaultFolder());
              QVERIFY(!writeSceneFile(path, Scene()));
              window.offerRecovery();
@@ -95,9 +88,7 @@ QMap<QString, Way> ways()
          }},
         {"labOpenDialog", byAction("labOpen")},
         {"labSaveDialog",
-         [](MainWindow &window) {
-             LabFiles(&window).askForOutput({}, {}, QStringLiteral("json"));
-         }},
+         [](MainWindow &window) { LabFiles(&window).askForOutput({}, {}, u"json"_s); }},
     };
 }
 

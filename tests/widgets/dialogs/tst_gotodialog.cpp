@@ -6,11 +6,8 @@
 #include "tests/support/tracedplayhead.h"
 #include "widgets/dialogs/gotodialog.h"
 
-#include <QDialogButtonBox>
-#include <QLabel>
-#include <QLineEdit>
-#include <QPushButton>
 #include <QTest>
+#include <QtWidgets>
 
 namespace tst_gotodialog {
 

@@ -6,11 +6,8 @@
 #include "widgets/dialogs/lookdialog.h"
 #include "widgets/model/scenedocument.h"
 
-#include <QDialogButtonBox>
-#include <QLabel>
-#include <QPushButton>
 #include <QTest>
-#include <QTreeView>
+#include <QtWidgets>
 
 namespace tst_lookdialog {
 

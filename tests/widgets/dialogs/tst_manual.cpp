@@ -6,9 +6,8 @@
 #include "widgets/dialogs/manual.h"
 #include "widgets/window/panels.h"
 
-#include <QListWidget>
 #include <QTest>
-#include <QTextBrowser>
+#include <QtWidgets>
 
 namespace tst_manual {
 
@@ -40,21 +39,21 @@ private slots:
 
     void theFirstPageIsOfTheAssignmentAndEveryPanelIsExplained()
     {
-        QVERIFY(m_text->toPlainText().contains(QStringLiteral("⌈y_B⌉")));
+        QVERIFY(m_text->toPlainText().contains(u"⌈y_B⌉"_s));
         m_pages->setCurrentRow(1);
         for (const Panel &panel : panels()) {
-            const auto *toggle = action(
-                *m_window, qPrintable(QLatin1String(panel.dock) + QStringLiteral("Toggle")));
+            const auto *toggle
+                = action(*m_window, qPrintable(QLatin1String(panel.dock) + u"Toggle"_s));
             QVERIFY2(m_text->toPlainText().contains(toggle->shortcut().toString()), panel.dock);
         }
     }
 
     void aLinkGoesToItsPage()
     {
-        emit m_text->anchorClicked(QUrl(QStringLiteral("scene-file.md")));
-        QCOMPARE(m_pages->currentItem()->text(), QStringLiteral("Scene files"));
+        emit m_text->anchorClicked(QUrl(u"scene-file.md"_s));
+        QCOMPARE(m_pages->currentItem()->text(), u"Scene files"_s);
         const QString before = m_text->toPlainText();
-        emit m_text->anchorClicked(QUrl(QStringLiteral("https://example.org/")));
+        emit m_text->anchorClicked(QUrl(u"https://example.org/"_s));
         QCOMPARE(m_text->toPlainText(), before);
     }
 

@@ -6,11 +6,8 @@
 #include "widgets/model/primitivelistmodel.h"
 #include "widgets/model/scenedocument.h"
 
-#include <QLabel>
-#include <QLineEdit>
-#include <QSignalSpy>
-#include <QTest>
-#include <QTreeView>
+#include <QtTest>
+#include <QtWidgets>
 
 namespace tst_typednumbers {
 
@@ -29,14 +26,14 @@ private slots:
         const auto *verdict = named<QLabel>(dialog, "triangleVerdict");
         QCOMPARE(verdict->text(), QString());
 
-        named<QLineEdit>(dialog, "vertex1u")->setText(QStringLiteral("1/3"));
+        named<QLineEdit>(dialog, "vertex1u")->setText(u"1/3"_s);
         QVERIFY2(verdict->text().contains(
-                     QStringLiteral("vertex 1, u: 1/3 is read as 5592405/16777216, displaced by")),
+                     u"vertex 1, u: 1/3 is read as 5592405/16777216, displaced by"_s),
                  qPrintable(verdict->text()));
-        named<QLineEdit>(dialog, "vertex0x")->setText(QStringLiteral("4.1"));
-        QVERIFY(verdict->text().contains(QStringLiteral("vertex 0, x: 4.1 is drawn at")));
-        named<QLineEdit>(dialog, "vertex0x")->setText(QStringLiteral("4"));
-        named<QLineEdit>(dialog, "vertex1u")->setText(QStringLiteral("0.5"));
+        named<QLineEdit>(dialog, "vertex0x")->setText(u"4.1"_s);
+        QVERIFY(verdict->text().contains(u"vertex 0, x: 4.1 is drawn at"_s));
+        named<QLineEdit>(dialog, "vertex0x")->setText(u"4"_s);
+        named<QLineEdit>(dialog, "vertex1u")->setText(u"0.5"_s);
         QCOMPARE(verdict->text(), QString());
     }
 
@@ -55,20 +52,20 @@ private slots:
         tree->edit(x);
         auto *field = named<QLineEdit>(*tree, "coordinateField");
         field->selectAll();
-        QTest::keyClicks(field, QStringLiteral("abc"));
+        QTest::keyClicks(field, u"abc"_s);
         QCOMPARE(refused.count(), 0); // it may still become a number
         QTest::keyClick(field, Qt::Key_Return);
         QVERIFY(refused.count() > 0);
-        QVERIFY2(refused.last()[0].toString().contains(QStringLiteral("53/2")),
+        QVERIFY2(refused.last()[0].toString().contains(u"53/2"_s),
                  qPrintable(refused.last()[0].toString()));
         QVERIFY(!document.isModified());
 
         field->selectAll();
-        QTest::keyClicks(field, QStringLiteral("1/3"));
+        QTest::keyClicks(field, u"1/3"_s);
         QTest::keyClick(field, Qt::Key_Return);
         QTRY_COMPARE(notice.count(), 1);
         const QString told = notice.last()[0].toString();
-        QVERIFY2(told.startsWith(QStringLiteral("vertex 2, x: 1/3 is drawn")), qPrintable(told));
+        QVERIFY2(told.startsWith(u"vertex 2, x: 1/3 is drawn"_s), qPrintable(told));
     }
 
 private:

@@ -8,13 +8,8 @@
 #include "widgets/files/scenefiles.h"
 #include "widgets/model/scenedocument.h"
 
-#include <QAbstractButton>
-#include <QDir>
-#include <QLabel>
-#include <QMessageBox>
-#include <QSignalSpy>
-#include <QTest>
-#include <QThreadPool>
+#include <QtTest>
+#include <QtWidgets>
 
 namespace tst_autosave {
 
@@ -46,9 +41,9 @@ struct Kept {
 void leave(const QString &folder, const QString &name, const Scene &scene)
 {
     QDir().mkpath(folder);
-    const QString path = folder + u'/' + name + QStringLiteral(".json");
+    const QString path = folder + u'/' + name + u".json"_s;
     QVERIFY(!writeSceneFile(path, scene));
-    QFile note(path + QStringLiteral(".origin"));
+    QFile note(path + u".origin"_s);
     QVERIFY(note.open(QIODevice::WriteOnly));
     note.write("/home/someone/mine.json");
 }
@@ -111,12 +106,12 @@ private slots:
     void whatWasLeftBehindIsTakenOnce()
     {
         const QTemporaryDir folder;
-        leave(folder.path(), QStringLiteral("dead"), oneTriangle());
+        leave(folder.path(), u"dead"_s, oneTriangle());
         Kept first(folder.path());
         const Kept second(folder.path());
         const std::optional<UnsavedScene> left = first.autosave->leftBehind();
         QVERIFY(left);
-        QCOMPARE(left->sceneFile, QStringLiteral("/home/someone/mine.json"));
+        QCOMPARE(left->sceneFile, u"/home/someone/mine.json"_s);
         QVERIFY(!second.autosave->leftBehind()); // the first window's user is being asked about it
 
         first.document.reset(oneTriangle());
@@ -132,9 +127,9 @@ private slots:
         QTest::addColumn<QString>("answer");
         QTest::addColumn<bool>("isShown");
         QTest::addColumn<bool>("isLeft");
-        QTest::newRow("recover") << QStringLiteral("&Recover") << true << true;
-        QTest::newRow("discard") << QStringLiteral("&Discard") << false << false;
-        QTest::newRow("later") << QStringLiteral("&Later") << false << true;
+        QTest::newRow("recover") << u"&Recover"_s << true << true;
+        QTest::newRow("discard") << u"&Discard"_s << false << false;
+        QTest::newRow("later") << u"&Later"_s << false << true;
     }
     void theWindowOffersIt()
     {
@@ -143,8 +138,8 @@ private slots:
         QFETCH(const bool, isLeft);
         const IsolatedSettings settings;
         QDir(Autosave::defaultFolder()).removeRecursively();
-        leave(Autosave::defaultFolder(), QStringLiteral("dead"), oneTriangle());
-        const QString path = Autosave::defaultFolder() + QStringLiteral("/dead.json");
+        leave(Autosave::defaultFolder(), u"dead"_s, oneTriangle());
+        const QString path = Autosave::defaultFolder() + u"/dead.json"_s;
         const auto window = openedWindow();
 
         window->offerRecovery();

@@ -7,9 +7,8 @@
 #include "widgets/look/messagebar.h"
 #include "widgets/model/playhead.h"
 
-#include <QFile>
-#include <QProgressBar>
 #include <QSignalSpy>
+#include <QtWidgets>
 
 #include <algorithm>
 #include <utility>

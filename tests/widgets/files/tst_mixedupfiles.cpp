@@ -8,11 +8,8 @@
 #include "widgets/files/scenefiles.h"
 #include "widgets/studies/grade/gradedialog.h"
 
-#include <QLineEdit>
-#include <QMessageBox>
-#include <QPushButton>
 #include <QTest>
-#include <QTimer>
+#include <QtWidgets>
 
 namespace tst_mixedupfiles {
 
@@ -29,20 +26,17 @@ private slots:
     {
         QCOMPARE(kindOfFile(assignment()), FileKind::Assignment);
         QCOMPARE(kindOfFile(scene()), FileKind::Scene);
-        QCOMPARE(kindOfFile(resource(QStringLiteral("/glossary.md"))), FileKind::Other);
-        QVERIFY(readSceneFile(assignment())
-                    .error()
-                    .message()
-                    .contains(QStringLiteral("this is an assignment")));
+        QCOMPARE(kindOfFile(resource(u"/glossary.md"_s)), FileKind::Other);
+        QVERIFY(readSceneFile(assignment()).error().message().contains(u"this is an assignment"_s));
     }
 
     void anAssignmentThatIsOpenedIsOfferedToGrading()
     {
         const auto window = openedWindow();
         QVERIFY(!window->openScene(assignment()));
-        QTRY_VERIFY(window->findChild<QMessageBox *>(QStringLiteral("assignmentMet")));
+        QTRY_VERIFY(window->findChild<QMessageBox *>(u"assignmentMet"_s));
         auto *box = named<QMessageBox>(*window, "assignmentMet");
-        QVERIFY(box->text().contains(QStringLiteral("column-scan.json")));
+        QVERIFY(box->text().contains(u"column-scan.json"_s));
         QString offered;
         QTimer::singleShot(0, window.get(), [&] {
             auto *dialog = named<GradeDialog>(*window, "gradeDialog");
@@ -64,18 +58,15 @@ private slots:
             dialog->accept();
         });
         QTest::mouseClick(named<QAbstractButton>(*window, "gradingGrade"), Qt::LeftButton);
-        QTRY_VERIFY(window->findChild<QMessageBox *>(QStringLiteral("sceneMet")));
+        QTRY_VERIFY(window->findChild<QMessageBox *>(u"sceneMet"_s));
 
         QTest::mouseClick(named<QMessageBox>(*window, "sceneMet")->defaultButton(), Qt::LeftButton);
         QTRY_COMPARE(window->parts().files->path(), scene());
     }
 
 private:
-    static QString assignment()
-    {
-        return resource(QStringLiteral("/assignments/column-scan.json"));
-    }
-    static QString scene() { return resource(QStringLiteral("/scenes/lines.json")); }
+    static QString assignment() { return resource(u"/assignments/column-scan.json"_s); }
+    static QString scene() { return resource(u"/scenes/lines.json"_s); }
 
     IsolatedSettings m_settings;
 };

@@ -12,17 +12,8 @@
 #include "widgets/model/playhead.h"
 #include "widgets/model/scenedocument.h"
 
-#include <QAbstractButton>
-#include <QBuffer>
-#include <QDialogButtonBox>
-#include <QFileDialog>
-#include <QMenu>
-#include <QPushButton>
-#include <QSignalSpy>
-#include <QTemporaryDir>
-#include <QTest>
-#include <QThreadPool>
-#include <QTimer>
+#include <QtTest>
+#include <QtWidgets>
 
 #include <unistd.h>
 
@@ -57,8 +48,7 @@ private slots:
             if (isEmpty)
                 scene.triangles.clear();
             const auto window = openedWindow(scene);
-            QMetaObject::invokeMethod(window->findChild<QMenu *>(QStringLiteral("exportMenu")),
-                                      "aboutToShow");
+            QMetaObject::invokeMethod(window->findChild<QMenu *>(u"exportMenu"_s), "aboutToShow");
 
             QTEST(action(*window, "exportColumnsCsv")->text(), "csv");
             QTEST(action(*window, "exportColumnsJson")->text(), "json");
@@ -76,20 +66,17 @@ private slots:
     {
         QFETCH(QString, target);
         const QTemporaryDir folder;
-        const QString scene = folder.filePath(QStringLiteral("scene.json"));
-        QVERIFY(QImage(4, 4, QImage::Format_RGB32)
-                    .save(folder.filePath(QStringLiteral("texture.png"))));
-        QVERIFY(QFile::link(QStringLiteral("texture.png"),
-                            folder.filePath(QStringLiteral("link.png"))));
-        QVERIFY(!writeFile(folder.filePath(QStringLiteral("mesh.obj")),
-                           "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n"));
+        const QString scene = folder.filePath(u"scene.json"_s);
+        QVERIFY(QImage(4, 4, QImage::Format_RGB32).save(folder.filePath(u"texture.png"_s)));
+        QVERIFY(QFile::link(u"texture.png"_s, folder.filePath(u"link.png"_s)));
+        QVERIFY(!writeFile(folder.filePath(u"mesh.obj"_s), "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n"));
         QVERIFY(!writeFile(scene, R"({ "pixelplumb": 1, "frame": { "width": 8, "height": 8 },
             "camera": { "eye": [0, 0, 4], "fieldOfView": 40, "near": 1, "far": 10 },
             "materials": { "a": { "texture": "texture.png" } },
             "primitives": [ { "mesh": "mesh.obj", "material": "a" } ] })"));
-        QVERIFY(QFile::link(scene, folder.filePath(QStringLiteral("symlink"))));
+        QVERIFY(QFile::link(scene, folder.filePath(u"symlink"_s)));
         QVERIFY(::link(QFile::encodeName(scene).constData(),
-                       QFile::encodeName(folder.filePath(QStringLiteral("hardlink"))).constData())
+                       QFile::encodeName(folder.filePath(u"hardlink"_s)).constData())
                 == 0);
         const QString path = folder.filePath(target);
         const QByteArray before = *readFile(path);
@@ -106,11 +93,11 @@ private slots:
 
         QCOMPARE(complaints.size(), 5);
         QVERIFY(complaints[0][0].toString().contains(
-            QStringLiteral("it was read, and the export would replace it")));
-        if (target.contains(u'.') && target != QStringLiteral("scene.json"))
+            u"it was read, and the export would replace it"_s));
+        if (target.contains(u'.') && target != u"scene.json"_s)
             QVERIFY(!window->parts().files->saveTo(path));
         QCOMPARE(*readFile(path), before);
-        QVERIFY(exports->writeRaster(folder.filePath(QStringLiteral("raster.txt"))));
+        QVERIFY(exports->writeRaster(folder.filePath(u"raster.txt"_s)));
         QVERIFY(window->parts().files->saveTo(scene)); // the scene's own file
     }
 
@@ -163,17 +150,17 @@ private slots:
     {
         const QTemporaryDir folder;
         const auto path = [&folder](const char *name) { return folder.filePath(name); };
-        const auto window = openedWindow(QStringLiteral("moving-sliver.json"));
+        const auto window = openedWindow(u"moving-sliver.json"_s);
         SceneDocument &document = *window->parts().document;
         document.setCurrentFrame(8);
         QTRY_COMPARE(window->parts().playhead->traced()->scene.triangles,
                      sceneAtFrame(document.scene(), 8).triangles);
         SceneExports *exports = window->parts().exports;
         QSignalSpy notices(exports, &SceneExports::notice);
-        const QString frame = QStringLiteral("frame 8 of 24 of the motion");
+        const QString frame = u"frame 8 of 24 of the motion"_s;
 
         QVERIFY(exports->writePicture(path("at8.png")));
-        QCOMPARE(QImage(path("at8.png")).text(QStringLiteral("Description")), frame);
+        QCOMPARE(QImage(path("at8.png")).text(u"Description"_s), frame);
         QVERIFY(exports->writeAnnotatedGrid(path("at8.svg")));
         QCOMPARE(readFile(path("at8.svg"))->count(frame.toLatin1()), 2); // once in the description
                                                                          // and once in the drawing
@@ -217,7 +204,7 @@ private slots:
     void aTraceIsWrittenBesideTheWindow()
     {
         const QTemporaryDir folder;
-        const QString path = folder.filePath(QStringLiteral("pixels.csv"));
+        const QString path = folder.filePath(u"pixels.csv"_s);
         const auto window = openedWindow();
         SceneExports *exports = window->parts().exports;
         QSignalSpy notices(exports, &SceneExports::notice);
@@ -228,10 +215,10 @@ private slots:
         // first.
         QVERIFY(exports->writing().isRunning());
         QVERIFY(!QFile::exists(path));
-        QVERIFY(!exports->writeTrace(folder.filePath(QStringLiteral("other.csv")),
-                                     TraceLevel::Pixel, TableFormat::Csv));
+        QVERIFY(!exports->writeTrace(folder.filePath(u"other.csv"_s), TraceLevel::Pixel,
+                                     TableFormat::Csv));
         QTRY_COMPARE(notices.size(), 1);
-        QCOMPARE(notices[0][0].toString(), QStringLiteral("pixels.csv is written."));
+        QCOMPARE(notices[0][0].toString(), u"pixels.csv is written."_s);
         QBuffer direct;
         direct.open(QIODevice::WriteOnly);
         QVERIFY(exportTrace(*window->parts().playhead->traced(),
@@ -245,13 +232,13 @@ private slots:
         const auto window = openedWindow();
         SceneExports *exports = window->parts().exports;
         QSignalSpy notices(exports, &SceneExports::notice);
-        QVERIFY(exports->writeTrace(folder.filePath(QStringLiteral("pixels.json")),
-                                    TraceLevel::Pixel, TableFormat::Json));
+        QVERIFY(exports->writeTrace(folder.filePath(u"pixels.json"_s), TraceLevel::Pixel,
+                                    TableFormat::Json));
 
         named<QAbstractButton>(*window, "cancelExport")->click();
 
         QVERIFY(!exports->writing().isRunning());
-        QCOMPARE(notices[0][0].toString(), QStringLiteral("pixels.json was not written."));
+        QCOMPARE(notices[0][0].toString(), u"pixels.json was not written."_s);
         QVERIFY(QThreadPool::globalInstance()->waitForDone());
         QCoreApplication::processEvents();
         QVERIFY(QDir(folder.path()).isEmpty());

@@ -15,13 +15,8 @@
 #include "widgets/model/scenedocument.h"
 #include "widgets/window/examplesdialog.h"
 
-#include <QFileDialog>
-#include <QListWidget>
-#include <QScopeGuard>
-#include <QTemporaryDir>
 #include <QTest>
-#include <QTimer>
-#include <QTreeWidget>
+#include <QtWidgets>
 
 namespace tst_windowfiles {
 
@@ -161,7 +156,7 @@ private slots:
         QVERIFY(!playhead.pickedPixel());
         QCOMPARE(playhead.position(), std::size_t(0));
 
-        window->parts().files->openFile(resource(QStringLiteral("/scenes/sliver.json")));
+        window->parts().files->openFile(resource(u"/scenes/sliver.json"_s));
         QVERIFY(playhead.position() > 0 && playhead.position() < playhead.end());
         QCOMPARE(playhead.pickedPixel(),
                  TraceNavigation(*playhead.traced()->trace).pixelOf(playhead.position() - 1));
@@ -171,7 +166,7 @@ private slots:
     {
         const auto window = openedWindow();
         const Canvas &canvas = *window->parts().canvas;
-        const QString example = resource(QStringLiteral("/scenes/sliver.json"));
+        const QString example = resource(u"/scenes/sliver.json"_s);
         window->parts().files->openFile(example);
         QVERIFY(canvas.tool() == CanvasTool::Inspect);
         clickPixel(*window, {5, 5});
@@ -218,7 +213,7 @@ private slots:
     void aSceneIsSavedWithItsMethodAndChangesCountAfterAnotherOne()
     {
         const QTemporaryDir folder;
-        const QString path = folder.filePath(QStringLiteral("scene.json"));
+        const QString path = folder.filePath(u"scene.json"_s);
         const auto window = openedWindow();
         SceneDocument &document = *window->parts().document;
         document.setMethod("row-walk");
@@ -252,7 +247,7 @@ private slots:
             QTest::keyClick(&canvas, Qt::Key_Right, Qt::ShiftModifier);
         };
         const QTemporaryDir folder;
-        const QString path = folder.filePath(QStringLiteral("scene.json"));
+        const QString path = folder.filePath(u"scene.json"_s);
         QVERIFY(window->parts().files->saveTo(path));
 
         zoomIn();
@@ -333,7 +328,7 @@ private slots:
 
     void savingAnExampleAsksForAnotherPlace()
     {
-        const QString example = resource(QStringLiteral("/scenes/sliver.json"));
+        const QString example = resource(u"/scenes/sliver.json"_s);
         const QByteArray before = *readFile(example);
         const auto window = openedWindow();
         QVERIFY(window->openScene(example));
@@ -353,8 +348,8 @@ private slots:
         QVERIFY(!window->parts().files->save());
 
         QCOMPARE(proposals.size(), 2);
-        QCOMPARE(QFileInfo(proposals[0]).fileName(), QStringLiteral("sliver.json"));
-        QCOMPARE(QFileInfo(proposals[1]).fileName(), QStringLiteral("scene.json"));
+        QCOMPARE(QFileInfo(proposals[0]).fileName(), u"sliver.json"_s);
+        QCOMPARE(QFileInfo(proposals[1]).fileName(), u"scene.json"_s);
         for (const QString &proposal : proposals)
             QVERIFY2(QFileInfo(proposal).dir() != QFileInfo(example).dir(), qPrintable(proposal));
         QCOMPARE(*readFile(example), before);
@@ -374,7 +369,7 @@ private slots:
         const auto restore = qScopeGuard([before] { qputenv("HOME", before); });
         qputenv("HOME", QFile::encodeName(home.path()));
         if (hasDocuments)
-            QVERIFY(QDir(home.path()).mkdir(QStringLiteral("Documents")));
+            QVERIFY(QDir(home.path()).mkdir(u"Documents"_s));
         const auto window = openedWindow();
         action(*window, "drawTool")->trigger();
         clickPixel(*window, {10, 40});
@@ -389,8 +384,7 @@ private slots:
         QVERIFY(!window->parts().files->save());
 
         QCOMPARE(proposal,
-                 home.filePath(hasDocuments ? QStringLiteral("Documents/scene.json")
-                                            : QStringLiteral("scene.json")));
+                 home.filePath(hasDocuments ? u"Documents/scene.json"_s : u"scene.json"_s));
     }
 
 private:

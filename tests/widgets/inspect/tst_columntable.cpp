@@ -8,14 +8,8 @@
 #include "widgets/inspect/columntable.h"
 #include "widgets/inspect/columntablepanel.h"
 
-#include <QAction>
-#include <QApplication>
-#include <QClipboard>
-#include <QComboBox>
-#include <QLabel>
-#include <QScrollBar>
 #include <QTest>
-#include <QToolButton>
+#include <QtWidgets>
 
 namespace tst_columntable {
 

@@ -8,12 +8,8 @@
 #include "widgets/inspect/formulapanel.h"
 #include "widgets/look/numberformat.h"
 
-#include <QAbstractTextDocumentLayout>
-#include <QLabel>
-#include <QScrollBar>
 #include <QTest>
-#include <QTextBlock>
-#include <QTextBrowser>
+#include <QtWidgets>
 
 #include <algorithm>
 

@@ -6,10 +6,8 @@
 #include "widgets/look/displayoptions.h"
 #include "widgets/model/playhead.h"
 
-#include <QApplication>
-#include <QPainter>
 #include <QTest>
-#include <QWheelEvent>
+#include <QtWidgets>
 
 namespace tst_pixelgrid {
 

@@ -8,14 +8,8 @@
 #include "widgets/look/numberformat.h"
 #include "widgets/model/pixelhistorymodel.h"
 
-#include <QAbstractItemModelTester>
-#include <QHeaderView>
-#include <QLabel>
-#include <QScrollArea>
-#include <QScrollBar>
-#include <QTest>
-#include <QToolButton>
-#include <QTreeView>
+#include <QtTest>
+#include <QtWidgets>
 
 #include <cmath>
 

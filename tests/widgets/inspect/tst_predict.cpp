@@ -11,13 +11,8 @@
 #include "widgets/model/playhead.h"
 #include "widgets/model/scenedocument.h"
 
-#include <QComboBox>
-#include <QLabel>
-#include <QLineEdit>
-#include <QPushButton>
-#include <QSignalSpy>
-#include <QTest>
-#include <QTextBrowser>
+#include <QtTest>
+#include <QtWidgets>
 
 namespace tst_predict {
 
@@ -27,13 +22,13 @@ namespace {
 
 Prediction predictionOf(const Quantity &value, const Quantity &earlier = {})
 {
-    return {QStringLiteral("Column 3"),
-            QStringLiteral("y_B"),
-            QStringLiteral("y_B"),
+    return {u"Column 3"_s,
+            u"y_B"_s,
+            u"y_B"_s,
             value,
             earlier,
-            QStringLiteral("y_B ← y_B′ + m"),
-            QStringLiteral("y_B ← y_B′ + m = 8 + 1/2")};
+            u"y_B ← y_B′ + m"_s,
+            u"y_B ← y_B′ + m = 8 + 1/2"_s};
 }
 
 } // namespace
@@ -125,18 +120,18 @@ private slots:
         choice->setCurrentIndex(choice->findText(asked->title));
 
         answer(QString::number(std::round(asked->value.toDouble() * 10) / 10, 'f', 1));
-        QVERIFY(label("predictVerdict").startsWith(QStringLiteral("Near")));
+        QVERIFY(label("predictVerdict").startsWith(u"Near"_s));
         answer(toText(asked->value));
-        QCOMPARE(label("predictScore"), QStringLiteral("Right at the first try: 1 of 1"));
+        QCOMPARE(label("predictScore"), u"Right at the first try: 1 of 1"_s);
     }
 
     void aWholeNumberBesideTheRightOneIsOneOff()
     {
         const Prediction row = predictionOf(Quantity::integer(9));
-        QCOMPARE(judge(row, QStringLiteral("8")), Guess::OneOff);
-        QCOMPARE(judge(row, QStringLiteral("10")), Guess::OneOff);
-        QCOMPARE(judge(row, QStringLiteral("9")), Guess::Right);
-        QCOMPARE(judge(row, QStringLiteral("7")), Guess::Wrong);
+        QCOMPARE(judge(row, u"8"_s), Guess::OneOff);
+        QCOMPARE(judge(row, u"10"_s), Guess::OneOff);
+        QCOMPARE(judge(row, u"9"_s), Guess::Right);
+        QCOMPARE(judge(row, u"7"_s), Guess::Wrong);
     }
 
     /// The answer to a question is what the table says once the step is done.
@@ -150,7 +145,7 @@ private slots:
         for (const Prediction &prediction : all)
             QVERIFY2(std::ranges::find(cells, prediction.value) != cells.end(),
                      qPrintable(prediction.title));
-        QCOMPARE(all.front().title, QStringLiteral("y_B"));
+        QCOMPARE(all.front().title, u"y_B"_s);
     }
 
     void everyNumberOfTheAssignmentCanBeChosen()
@@ -167,20 +162,20 @@ private slots:
     {
         openPanel();
         auto *choice = named<QComboBox>(*m_window, "predictChoice");
-        choice->setCurrentIndex(choice->findText(QStringLiteral("ΔR")));
-        QVERIFY(label("predictVerdict").contains(QStringLiteral("does not count")));
-        answer(QStringLiteral("1000"));
-        QVERIFY(label("predictVerdict").startsWith(QStringLiteral("Not")));
+        choice->setCurrentIndex(choice->findText(u"ΔR"_s));
+        QVERIFY(label("predictVerdict").contains(u"does not count"_s));
+        answer(u"1000"_s);
+        QVERIFY(label("predictVerdict").startsWith(u"Not"_s));
         QCOMPARE(label("predictScore"), QString());
     }
 
     void theCountOfPixelsFollowsFromTheBounds()
     {
         const auto all = predictionsAfter(*m_playhead->traced(), m_playhead->position());
-        const auto asked = std::ranges::find(all, QStringLiteral("px"), &Prediction::title);
+        const auto asked = std::ranges::find(all, u"px"_s, &Prediction::title);
         QVERIFY(asked != all.end());
-        QCOMPARE(asked->rule, QStringLiteral("px = ⌊y_T⌋ − ⌈y_B⌉ + 1"));
-        QVERIFY(asked->reason.startsWith(asked->rule + QStringLiteral(" = ")));
+        QCOMPARE(asked->rule, u"px = ⌊y_T⌋ − ⌈y_B⌉ + 1"_s);
+        QVERIFY(asked->reason.startsWith(asked->rule + u" = "_s));
         QCOMPARE(judge(*asked, toText(asked->value)), Guess::Right);
         QVERIFY(asksForWhole(*asked));
     }
@@ -190,32 +185,32 @@ private slots:
         openPanel();
         const Prediction asked
             = predictionsAfter(*m_playhead->traced(), m_playhead->position()).front();
-        QVERIFY(label("predictQuestion").contains(QStringLiteral("Column")));
+        QVERIFY(label("predictQuestion").contains(u"Column"_s));
 
-        answer(QStringLiteral("1000"));
-        QVERIFY(label("predictVerdict").startsWith(QStringLiteral("Not")));
+        answer(u"1000"_s);
+        QVERIFY(label("predictVerdict").startsWith(u"Not"_s));
         answer(toText(asked.earlier));
-        QVERIFY(label("predictVerdict").contains(QStringLiteral("span before")));
+        QVERIFY(label("predictVerdict").contains(u"span before"_s));
         answer(toText(asked.value));
-        QVERIFY(label("predictVerdict").startsWith(QStringLiteral("Right")));
-        QVERIFY(label("predictVerdict").contains(QStringLiteral("m")));
+        QVERIFY(label("predictVerdict").startsWith(u"Right"_s));
+        QVERIFY(label("predictVerdict").contains(u"m"_s));
         // Only the first answer counts.
-        QCOMPARE(label("predictScore"), QStringLiteral("Right at the first try: 0 of 1"));
+        QCOMPARE(label("predictScore"), u"Right at the first try: 0 of 1"_s);
 
         const std::size_t before = *m_playhead->currentSpan();
         QTest::keyClick(line(), Qt::Key_Return);
         QCOMPARE(*m_playhead->currentSpan(), before + 1);
         answer(
             toText(predictionsAfter(*m_playhead->traced(), m_playhead->position()).front().value));
-        QCOMPARE(label("predictScore"), QStringLiteral("Right at the first try: 1 of 2"));
+        QCOMPARE(label("predictScore"), u"Right at the first try: 1 of 2"_s);
     }
 
     void whatIsShownCountsAsNotKnown()
     {
         openPanel();
         QTest::mouseClick(named<QPushButton>(*m_window, "predictShow"), Qt::LeftButton);
-        QVERIFY(label("predictVerdict").contains(QStringLiteral("y")));
-        QCOMPARE(label("predictScore"), QStringLiteral("Right at the first try: 0 of 1"));
+        QVERIFY(label("predictVerdict").contains(u"y"_s));
+        QCOMPARE(label("predictScore"), u"Right at the first try: 0 of 1"_s);
         QVERIFY(!named<QPushButton>(*m_window, "predictShow")->isEnabled());
         QVERIFY(named<QPushButton>(*m_window, "predictNext")->isEnabled());
     }
@@ -228,19 +223,19 @@ private slots:
         const NextPixel next = *nextPixelAfter(*m_playhead->traced(), m_playhead->position());
 
         m_playhead->pick(next.pixel + QPoint(1, 1));
-        QVERIFY(label("predictVerdict").startsWith(QStringLiteral("Not")));
-        QVERIFY(label("predictVerdict").contains(QStringLiteral("comes later: Column")));
+        QVERIFY(label("predictVerdict").startsWith(u"Not"_s));
+        QVERIFY(label("predictVerdict").contains(u"comes later: Column"_s));
         m_playhead->pick(next.pixel + QPoint(0, 1));
-        QVERIFY(label("predictVerdict").contains(QStringLiteral("later in the same span")));
+        QVERIFY(label("predictVerdict").contains(u"later in the same span"_s));
         m_playhead->pick(next.pixel - QPoint(1, 0));
-        QVERIFY(label("predictVerdict").contains(QStringLiteral("drawn already, in step")));
+        QVERIFY(label("predictVerdict").contains(u"drawn already, in step"_s));
         m_playhead->pick(QPoint(0, 0));
-        QVERIFY(label("predictVerdict").contains(QStringLiteral("Refused by")));
-        answer(QStringLiteral("64, 12"));
-        QVERIFY(label("predictVerdict")
-                    .contains(QStringLiteral("off the frame, columns 0 to 63 and rows 0 to 47")));
+        QVERIFY(label("predictVerdict").contains(u"Refused by"_s));
+        answer(u"64, 12"_s);
+        QVERIFY(
+            label("predictVerdict").contains(u"off the frame, columns 0 to 63 and rows 0 to 47"_s));
         m_playhead->pick(next.pixel);
-        QVERIFY(label("predictVerdict").startsWith(QStringLiteral("Right")));
+        QVERIFY(label("predictVerdict").startsWith(u"Right"_s));
         QTest::mouseClick(named<QPushButton>(*m_window, "predictNext"), Qt::LeftButton);
         QCOMPARE(m_playhead->currentPixel(), std::optional(next.pixel));
     }
@@ -275,28 +270,27 @@ private slots:
     void theScoreEndsWithTheScene()
     {
         openPanel();
-        answer(QStringLiteral("1000"));
+        answer(u"1000"_s);
         QVERIFY(!label("predictScore").isEmpty());
         action(*m_window, "newScene")->trigger();
         QCOMPARE(label("predictScore"), QString());
-        QVERIFY(label("predictQuestion").contains(QStringLiteral("Nothing is drawn yet")));
+        QVERIFY(label("predictQuestion").contains(u"Nothing is drawn yet"_s));
     }
 
     void aClosedPanelEndsTheScoreAndItsOpenQuestion()
     {
         openPanel();
-        answer(QStringLiteral("1000"));
+        answer(u"1000"_s);
         QSignalSpy told(m_playhead, &Playhead::message);
         action(*m_window, "predictDockToggle")->trigger();
         QCOMPARE(told.size(), 1);
-        QCOMPARE(told[0][0].toString(),
-                 QStringLiteral("Predict is closed. Right at the first try: 0 of 1."));
+        QCOMPARE(told[0][0].toString(), u"Predict is closed. Right at the first try: 0 of 1."_s);
 
         openPanel();
 
         QCOMPARE(label("predictScore"), QString());
-        QVERIFY(label("predictVerdict")
-                    .startsWith(QStringLiteral("The panel was closed with this question open.")));
+        QVERIFY(
+            label("predictVerdict").startsWith(u"The panel was closed with this question open."_s));
         QVERIFY(!named<QPushButton>(*m_window, "predictCheck")->isEnabled());
         QTest::mouseClick(named<QPushButton>(*m_window, "predictNext"), Qt::LeftButton);
         QVERIFY(named<QPushButton>(*m_window, "predictCheck")->isEnabled());
@@ -307,18 +301,18 @@ private slots:
         action(*m_window, "methodDockToggle")->trigger();
         const auto *text = named<QTextBrowser>(*m_window, "methodText");
         m_playhead->seekToSpan(*m_playhead->currentSpan() + 1);
-        QVERIFY(text->toPlainText().contains(QStringLiteral("▶")));
+        QVERIFY(text->toPlainText().contains(u"▶"_s));
         const QString atSpan
             = named<MethodPanel>(*m_window, "methodPanel")->accessibleDescription();
-        QVERIFY(atSpan.contains(QStringLiteral("else: y₀₂ ← y₀₂ + m₀₂")));
+        QVERIFY(atSpan.contains(u"else: y₀₂ ← y₀₂ + m₀₂"_s));
         m_playhead->step(StepUnit::Sample, StepDirection::Forward);
         const QString atFirst
             = named<MethodPanel>(*m_window, "methodPanel")->accessibleDescription();
-        QVERIFY(atFirst.contains(QStringLiteral("the first: R ← R_B")));
+        QVERIFY(atFirst.contains(u"the first: R ← R_B"_s));
         m_playhead->step(StepUnit::Sample, StepDirection::Forward);
         QVERIFY(named<MethodPanel>(*m_window, "methodPanel")
                     ->accessibleDescription()
-                    .contains(QStringLiteral("else: R ← R + ΔR")));
+                    .contains(u"else: R ← R + ΔR"_s));
     }
 
 private:

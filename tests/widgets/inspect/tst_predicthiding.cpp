@@ -20,14 +20,8 @@
 #include "widgets/model/studentpicture.h"
 #include "widgets/stepping/scrubber.h"
 
-#include <QClipboard>
-#include <QDockWidget>
-#include <QHelpEvent>
-#include <QLabel>
 #include <QTest>
-#include <QTextDocument>
-#include <QToolTip>
-#include <QTreeView>
+#include <QtWidgets>
 
 namespace tst_predicthiding {
 
@@ -73,8 +67,7 @@ private slots:
                 continue;
             const QString title = model.headerData(column, Qt::Horizontal).toString();
             const QModelIndex cell = model.index(ahead, column);
-            QVERIFY2((cell.data().toString() == QStringLiteral("?")) != told.contains(title),
-                     qPrintable(title));
+            QVERIFY2((cell.data().toString() == u"?"_s) != told.contains(title), qPrintable(title));
             if (!told.contains(title))
                 QVERIFY(!cell.data(Qt::ToolTipRole).isValid());
         }
@@ -154,7 +147,7 @@ private slots:
         QVERIFY(!mayBeCopied.isEmpty());
         for (auto question = mayBeCopied.begin(); question != mayBeCopied.end(); ++question)
             QVERIFY2(question->isEmpty(),
-                     qPrintable(question.key() + QStringLiteral(" is ")
+                     qPrintable(question.key() + u" is "_s
                                 + QStringList(question->begin(), question->end()).join(u' ')));
     }
 
@@ -173,7 +166,7 @@ private slots:
 
     void everyNumberOfTheRunFitsItsColumn()
     {
-        open(QStringLiteral("default.json"), QStringLiteral("column-scan"));
+        open(u"default.json"_s, u"column-scan"_s);
         const QAbstractItemModel &model = *table()->model();
         const QFontMetricsF metrics(table()->font());
         for (int column = 0; column < model.columnCount(); ++column) {
@@ -190,19 +183,19 @@ private slots:
 
     void theCopyOfTheTableHasNoNumberThatIsAhead()
     {
-        open(QStringLiteral("lines.json"), QStringLiteral("line-bresenham"));
+        open(u"lines.json"_s, u"line-bresenham"_s);
         table()->copyAll();
         const QStringList lines = QGuiApplication::clipboard()->text().split(u'\n');
         const int ahead = int(*playhead().currentSpan()) + 1;
         const QStringList names = lines.front().split(u'\t');
         const QStringList cells = lines[ahead + 1].split(u'\t');
-        QCOMPARE(cells[names.indexOf(QStringLiteral("y"))], QString());
-        QVERIFY(!cells[names.indexOf(QStringLiteral("k"))].isEmpty());
+        QCOMPARE(cells[names.indexOf(u"y"_s)], QString());
+        QVERIFY(!cells[names.indexOf(u"k"_s)].isEmpty());
     }
 
     void tipsOfTheScrubberTellNoPixelAhead()
     {
-        open(QStringLiteral("lines.json"), QStringLiteral("line-bresenham"));
+        open(u"lines.json"_s, u"line-bresenham"_s);
         auto *scrubber = named<Scrubber>(*m_window, "scrubber");
         const auto tipAt = [&](std::size_t position) {
             const QPoint place(int(scrubber->scale().xOf(position)), scrubber->height() - 4);
@@ -210,30 +203,30 @@ private slots:
             QApplication::sendEvent(scrubber, &help);
             return QToolTip::text();
         };
-        QVERIFY(tipAt(playhead().end()).contains(QStringLiteral("predict it")));
-        QVERIFY(!tipAt(1).contains(QStringLiteral("predict it")));
+        QVERIFY(tipAt(playhead().end()).contains(u"predict it"_s));
+        QVERIFY(!tipAt(1).contains(u"predict it"_s));
     }
 
     void theTruthIsNeitherToldNorShown()
     {
-        open(QStringLiteral("default.json"), QStringLiteral("column-scan"));
+        open(u"default.json"_s, u"column-scan"_s);
         const auto *grid = named<PixelGrid>(*m_window, "pixelGrid");
         const NextPixel next = *nextPixelAfter(*playhead().traced(), playhead().position());
         playhead().pick(next.pixel);
-        QVERIFY(!grid->accessibleDescription().contains(QStringLiteral("truth")));
-        QVERIFY(!grid->accessibleDescription().contains(QStringLiteral("R =")));
+        QVERIFY(!grid->accessibleDescription().contains(u"truth"_s));
+        QVERIFY(!grid->accessibleDescription().contains(u"R ="_s));
         const Canvas *canvas = m_window->parts().canvas;
         action(*m_window, "showTruth")->trigger();
         QVERIFY(!canvas->isTruthVisible());
         hidePanel();
-        QVERIFY(grid->accessibleDescription().contains(QStringLiteral("truth")));
+        QVERIFY(grid->accessibleDescription().contains(u"truth"_s));
         QVERIFY(canvas->isTruthVisible());
     }
 
     /// At the end, nothing lies ahead.
     void atTheEndAllIsShownAndBehindItHiddenAgain()
     {
-        open(QStringLiteral("default.json"), QStringLiteral("column-scan"));
+        open(u"default.json"_s, u"column-scan"_s);
         const Canvas *canvas = m_window->parts().canvas;
         action(*m_window, "showTruth")->trigger();
         const QAbstractItemModel &model = *table()->model();
@@ -243,14 +236,14 @@ private slots:
         const QList<int> before = widths();
 
         QVERIFY(!canvas->isTruthVisible());
-        QCOMPARE(lastCell(), QStringLiteral("?"));
+        QCOMPARE(lastCell(), u"?"_s);
         action(*m_window, "runToEnd")->trigger();
         QVERIFY(canvas->isTruthVisible());
-        QVERIFY(lastCell() != QStringLiteral("?"));
+        QVERIFY(lastCell() != u"?"_s);
         for (int i = 0; i < 2; ++i)
             playhead().step(StepUnit::Span, StepDirection::Backward);
         QVERIFY(!canvas->isTruthVisible());
-        QCOMPARE(lastCell(), QStringLiteral("?"));
+        QCOMPARE(lastCell(), u"?"_s);
         QCOMPARE(widths(), before);
     }
 
@@ -270,14 +263,14 @@ private slots:
         QCOMPARE(tree->model()->rowCount(), 1);
         QTextDocument heading;
         heading.setHtml(named<QLabel>(*m_window, "pixelHistoryHeading")->text());
-        QVERIFY(heading.toPlainText().contains(QStringLiteral("still ahead")));
-        QVERIFY(!heading.toPlainText().contains(QStringLiteral("truth")));
+        QVERIFY(heading.toPlainText().contains(u"still ahead"_s));
+        QVERIFY(!heading.toPlainText().contains(u"truth"_s));
     }
 
     /// The numbers of a line's step name the step's pixel.
     void theNextPixelIsNotTheOneThatTheCurrentStepTells()
     {
-        open(QStringLiteral("lines.json"), QStringLiteral("line-bresenham"));
+        open(u"lines.json"_s, u"line-bresenham"_s);
         const ScanTrace &trace = *playhead().traced()->trace;
         playhead().seekToSpan(6);
         const NextPixel next = *nextPixelAfter(*playhead().traced(), playhead().position());
@@ -285,7 +278,7 @@ private slots:
         const PixelChange &current = trace.changes()[trace.firstSampleOf(6)];
         QVERIFY(wrongPixelText(*playhead().traced(), playhead().position(),
                                {int(current.x), int(current.y)})
-                    .contains(QStringLiteral("current step")));
+                    .contains(u"current step"_s));
     }
 
     /// No panel shows the colour of a pixel that is still ahead.
@@ -298,7 +291,7 @@ private slots:
         const TracedScene &traced = *playhead().traced();
         playhead().seek(playhead().end());
         const QImage finished = playhead().frame()->image().copy();
-        m_window->parts().student->paste(finished, QStringLiteral("all of it"));
+        m_window->parts().student->paste(finished, u"all of it"_s);
         QTRY_VERIFY(m_window->parts().student->judgement());
         playhead().seek(traced.trace->indexOfSetUp(1));
         const QSet<QRgb> ahead = coloursIn(finished) - coloursIn(playhead().frame()->image());
@@ -344,7 +337,7 @@ private slots:
         m_window = openedWindow(twoTriangles());
         QImage empty = playhead().frame()->image().copy();
         empty.fill(Qt::black);
-        m_window->parts().student->paste(empty, QStringLiteral("nothing"));
+        m_window->parts().student->paste(empty, u"nothing"_s);
         QTRY_VERIFY(m_window->parts().student->judgement());
         playhead().seek(playhead().traced()->trace->indexOfSetUp(1));
         const QPoint pixel(30, 20); // a pixel of the second triangle

@@ -9,13 +9,8 @@
 #include "widgets/model/playhead.h"
 #include "widgets/model/scenedocument.h"
 
-#include <QComboBox>
-#include <QDockWidget>
-#include <QLabel>
-#include <QLineEdit>
-#include <QPushButton>
 #include <QTest>
-#include <QTextDocument>
+#include <QtWidgets>
 
 namespace tst_predictkeys {
 
@@ -73,8 +68,8 @@ private slots:
     void whatIsTypedAfterTheKeyIsTheAnswer()
     {
         const std::string method = m_window->parts().document->scene().method;
-        pressKeyOf(QStringLiteral("predictDock"));
-        QTest::keyClicks(QApplication::focusWidget(), QStringLiteral("1000"));
+        pressKeyOf(u"predictDock"_s);
+        QTest::keyClicks(QApplication::focusWidget(), u"1000"_s);
         QTest::keyClick(QApplication::focusWidget(), Qt::Key_Return);
         QVERIFY(named<QLabel>(*m_window, "predictVerdict")->text().startsWith(u"Not yet"));
         QCOMPARE(m_window->parts().document->scene().method, method);
@@ -83,19 +78,19 @@ private slots:
 
     void theNextPixelIsTyped()
     {
-        pressKeyOf(QStringLiteral("predictDock"));
+        pressKeyOf(u"predictDock"_s);
         askForPixel();
         QVERIFY(line()->isEnabled());
-        QCOMPARE(line()->placeholderText(), QStringLiteral("x, y"));
+        QCOMPARE(line()->placeholderText(), u"x, y"_s);
         line()->setFocus();
         const NextPixel next = *nextPixelAfter(*m_playhead->traced(), m_playhead->position());
 
-        type(QStringLiteral("%1 %2").arg(next.pixel.x() + 1).arg(next.pixel.y()));
+        type(u"%1 %2"_s.arg(next.pixel.x() + 1).arg(next.pixel.y()));
         QVERIFY(verdict().startsWith(u"Not "));
         QVERIFY(!m_playhead->isPlaying()); // the answer field keeps the space
-        type(QStringLiteral("here"));
-        QVERIFY(verdict().contains(QStringLiteral("12, 7")));
-        type(QStringLiteral("%1, %2").arg(next.pixel.x()).arg(next.pixel.y()));
+        type(u"here"_s);
+        QVERIFY(verdict().contains(u"12, 7"_s));
+        type(u"%1, %2"_s.arg(next.pixel.x()).arg(next.pixel.y()));
         QVERIFY(verdict().startsWith(u"Right"));
 
         QTest::keyClick(line(), Qt::Key_Return); // continues
@@ -112,22 +107,22 @@ private slots:
                 predictionsAfter(*m_playhead->traced(), m_playhead->position()).front().value);
         };
         const auto score = [this] { return named<QLabel>(*m_window, "predictScore")->text(); };
-        pressKeyOf(QStringLiteral("predictDock"));
+        pressKeyOf(u"predictDock"_s);
         m_playhead->seek(0);
         m_playhead->step(StepUnit::Span, StepDirection::Forward);
         m_playhead->step(StepUnit::Span, StepDirection::Backward);
 
-        QVERIFY(verdict().contains(QStringLiteral("has been seen")));
+        QVERIFY(verdict().contains(u"has been seen"_s));
         type(value());
-        QVERIFY(verdict().startsWith(QStringLiteral("Right")));
+        QVERIFY(verdict().startsWith(u"Right"_s));
         QCOMPARE(score(), QString());
 
         m_playhead->step(StepUnit::Span, StepDirection::Forward);
         type(value());
-        QCOMPARE(score(), QStringLiteral("Right at the first try: 1 of 1"));
+        QCOMPARE(score(), u"Right at the first try: 1 of 1"_s);
         m_playhead->step(StepUnit::Sample, StepDirection::Forward);
         type(value());
-        QCOMPARE(score(), QStringLiteral("Right at the first try: 1 of 1"));
+        QCOMPARE(score(), u"Right at the first try: 1 of 1"_s);
     }
 
     /// Nor does the user get credit if another setting traces the same columns again, or an edit is
@@ -135,8 +130,8 @@ private slots:
     void aStepThatWasDoneUnderOtherSettingsIsNotForetold()
     {
         SceneDocument &document = *m_window->parts().document;
-        const auto isSeen = [this] { return verdict().contains(QStringLiteral("has been seen")); };
-        pressKeyOf(QStringLiteral("predictDock"));
+        const auto isSeen = [this] { return verdict().contains(u"has been seen"_s); };
+        pressKeyOf(u"predictDock"_s);
         m_playhead->seek(m_playhead->end());
         m_playhead->seek(0);
         QVERIFY(isSeen());
@@ -165,7 +160,7 @@ private slots:
             return nextPixelAfter(*traceScene(scene), 0)->reason;
         };
         // At the vertex (4, 5) two edge functions are 0.
-        QVERIFY2(reasonBy("edge-equations").startsWith(QStringLiteral("E₀ = 0, E₁ = "))
+        QVERIFY2(reasonBy("edge-equations").startsWith(u"E₀ = 0, E₁ = "_s)
                      && reasonBy("edge-equations").endsWith(u"E₂ = 0: none is negative."),
                  qPrintable(reasonBy("edge-equations")));
         QVERIFY2(reasonBy("column-scan").contains(u"cover"), qPrintable(reasonBy("column-scan")));
@@ -174,7 +169,7 @@ private slots:
     /// A triangle drawn while its numbers are to be predicted is not scanned at once.
     void aNewTriangleIsForetoldFromItsFirstColumn()
     {
-        pressKeyOf(QStringLiteral("predictDock"));
+        pressKeyOf(u"predictDock"_s);
         Triangle triangle = m_window->parts().document->scene().triangles[0];
         for (Vertex &vertex : triangle.vertices)
             vertex.position.x += unitsPerPixel;
@@ -187,7 +182,7 @@ private slots:
         QCOMPARE(first.step, trace.indexOfSpan(trace.firstSpanOf(1)));
         type(toText(first.value));
         QCOMPARE(named<QLabel>(*m_window, "predictScore")->text(),
-                 QStringLiteral("Right at the first try: 1 of 1"));
+                 u"Right at the first try: 1 of 1"_s);
     }
 
     void theButtonsHaveKeys()
@@ -200,7 +195,7 @@ private:
     void pressKeyOf(const QString &dock)
     {
         const QKeyCombination key
-            = action(*m_window, qPrintable(dock + QStringLiteral("Toggle")))->shortcut()[0];
+            = action(*m_window, qPrintable(dock + u"Toggle"_s))->shortcut()[0];
         QTest::keyClick(m_window.get(), key.key(), key.keyboardModifiers());
     }
     void askForPixel()

@@ -13,19 +13,8 @@
 #include "widgets/model/primitivelistmodel.h"
 #include "widgets/model/scenedocument.h"
 
-#include <QAbstractButton>
-#include <QAbstractItemModelTester>
-#include <QApplication>
-#include <QColorDialog>
-#include <QContextMenuEvent>
-#include <QDockWidget>
-#include <QLabel>
-#include <QLineEdit>
-#include <QMenu>
-#include <QRandomGenerator>
-#include <QTest>
-#include <QTimer>
-#include <QTreeView>
+#include <QtTest>
+#include <QtWidgets>
 
 #include <algorithm>
 
@@ -85,7 +74,7 @@ private slots:
     {
         const QModelIndex x
             = m_model->index(2, PrimitiveListModel::X, m_model->indexOfPrimitive(0));
-        QCOMPARE(x.data().toString(), QStringLiteral("26"));
+        QCOMPARE(x.data().toString(), u"26"_s);
         m_tree->expand(m_model->indexOfPrimitive(0));
         m_tree->setCurrentIndex(x);
         type(x, "53/");
@@ -96,7 +85,7 @@ private slots:
         QTest::keyClick(field(), Qt::Key_Return);
 
         QTRY_COMPARE(document().vertexAt({0, 2})->position, (LatticePoint{53 * 128, 44 * 256}));
-        QCOMPARE(x.data().toString(), QStringLiteral("53/2"));
+        QCOMPARE(x.data().toString(), u"53/2"_s);
         QVERIFY(m_tree->isExpanded(m_model->indexOfPrimitive(0)));
         document().undoStack()->undo();
         QCOMPARE(document().scene(), fourPrimitives());
@@ -112,7 +101,7 @@ private slots:
         const QModelIndex x = m_model->index(1, PrimitiveListModel::X, whole);
         type(x, "61/3"); // 5205/256 is nearest
         QTest::keyClick(field(), Qt::Key_Return);
-        QTRY_COMPARE(x.data().toString(), QStringLiteral("5205/256"));
+        QTRY_COMPARE(x.data().toString(), u"5205/256"_s);
         QTRY_VERIFY(m_tree->visualRect(x).width()
                     > m_tree->fontMetrics().horizontalAdvance(x.data().toString()));
     }
@@ -145,10 +134,10 @@ private slots:
     void aPrimitiveTakesOneColourInOneStep()
     {
         const QModelIndex cell = m_model->index(0, PrimitiveListModel::ColourText);
-        QCOMPARE(cell.data().toString(), QStringLiteral("several"));
+        QCOMPARE(cell.data().toString(), u"several"_s);
         constexpr Colour amber{{255, 176, 0}};
         document().setPrimitiveColour(0, amber);
-        QCOMPARE(cell.data().toString(), QStringLiteral("#ffb000"));
+        QCOMPARE(cell.data().toString(), u"#ffb000"_s);
         for (const Vertex &vertex : document().verticesOf(0))
             QCOMPARE(vertex.colour, amber);
         document().undoStack()->undo();
@@ -170,7 +159,7 @@ private slots:
         QCOMPARE(textsOf(PrimitiveListModel::Name),
                  QStringList({"triangle, hidden", "triangle 0", "line 1", "line 2"}));
         QCOMPARE(named<QLabel>(*m_window, "primitivesSummary")->text(),
-                 QStringLiteral("3 primitives, and 1 hidden that the numbers leave out"));
+                 u"3 primitives, and 1 hidden that the numbers leave out"_s);
         QTRY_COMPARE(m_window->parts().playhead->traced()->trace->primitiveCount(), std::size_t(3));
         QVERIFY(document().isModified());
 
@@ -186,13 +175,13 @@ private slots:
     void theButtonHidesTheCurrentRowAndKeepsIt()
     {
         click(m_model->indexOfPrimitive(2));
-        QCOMPARE(button("primitivesHide")->text(), QStringLiteral("Hide"));
+        QCOMPARE(button("primitivesHide")->text(), u"Hide"_s);
         QVERIFY(button("primitivesHide")->toolTip().startsWith("Keep the primitive"));
         press("primitivesHide");
         QCOMPARE(document().scene().shapes.size(), std::size_t(1));
         QCOMPARE(m_tree->currentIndex().row(), 2);
         QVERIFY(!document().selectedVertex());
-        QCOMPARE(button("primitivesHide")->text(), QStringLiteral("Show"));
+        QCOMPARE(button("primitivesHide")->text(), u"Show"_s);
         QVERIFY(button("primitivesHide")->toolTip().startsWith("Draw the primitive again"));
         QVERIFY(!button("primitivesColour")->isEnabled());
         press("primitivesHide");
@@ -227,7 +216,7 @@ private slots:
         choose(*menu, "primitivesHide");
         QCOMPARE(document().hiddenCount(), 1);
         rightClick(m_tree->currentIndex());
-        QCOMPARE(menu->actions()[4]->text(), QStringLiteral("Show"));
+        QCOMPARE(menu->actions()[4]->text(), u"Show"_s);
         choose(*menu, "primitivesDelete");
         QCOMPARE(document().scene().triangles.size(), std::size_t(1));
         QCOMPARE(document().hiddenCount(), 0);
@@ -255,8 +244,7 @@ private slots:
         QCOMPARE(textsOf(PrimitiveListModel::Name),
                  QStringList({"sphere, hidden", "triangle3, solid 1"}));
         QTRY_COMPARE(playhead.traced()->primitives.triangles.size(), std::size_t(1));
-        QCOMPARE(named<QAbstractButton>(*m_window, "primitivesHide")->text(),
-                 QStringLiteral("Show"));
+        QCOMPARE(named<QAbstractButton>(*m_window, "primitivesHide")->text(), u"Show"_s);
         const auto reading = readScene(writeScene(document().scene()));
         QVERIFY(reading);
         QCOMPARE(reading->scene, document().scene());
@@ -333,14 +321,13 @@ private slots:
         while (document().primitiveCount() > 0)
             document().hidePrimitive(0);
         QTRY_COMPARE(named<QLabel>(*m_window, "formulaSentence")->text(),
-                     QStringLiteral("All primitives are hidden: Edit ▸ Show all hidden "
-                                    "primitives."));
+                     u"All primitives are hidden: Edit ▸ Show all hidden primitives."_s);
     }
 
     void theKeyHidesTheRowThatIsHighlighted()
     {
         DisplayOptions &options = *m_window->parts().options;
-        options.setLayers({QStringLiteral("affine-map")});
+        options.setLayers({u"affine-map"_s});
         options.setAffineImage(
             AffineImage{0, {latticePixel(10, 40), latticePixel(30, 40), latticePixel(10, 20)}});
         click(m_model->indexOfPrimitive(1));

@@ -10,18 +10,8 @@
 #include "widgets/look/colourbutton.h"
 #include "widgets/model/primitivelistmodel.h"
 
-#include <QApplication>
-#include <QColorDialog>
-#include <QDir>
-#include <QLineEdit>
-#include <QMenu>
-#include <QPaintEvent>
-#include <QSignalSpy>
-#include <QTest>
-#include <QTimer>
-#include <QToolButton>
-#include <QTreeView>
-#include <QUndoStack>
+#include <QtTest>
+#include <QtWidgets>
 
 #include <algorithm>
 
@@ -36,7 +26,7 @@ std::vector<Scene> shippedScenes()
 {
     std::vector<Scene> scenes(1);
     const QDir folder = QFileInfo(defaultScene()).dir();
-    for (const QFileInfo &file : folder.entryInfoList({QStringLiteral("*.json")})) {
+    for (const QFileInfo &file : folder.entryInfoList({u"*.json"_s})) {
         QFile opened(file.filePath());
         if (opened.open(QIODevice::ReadOnly)) {
             if (const auto reading = readScene(opened.readAll()))
@@ -124,7 +114,7 @@ private slots:
 
         document().moveVertex({0, 1}, latticePixel(48, 12), document().newDrag());
 
-        QCOMPARE(cellOf(1, PrimitiveListModel::X).data().toString(), QStringLiteral("48"));
+        QCOMPARE(cellOf(1, PrimitiveListModel::X).data().toString(), u"48"_s);
         QTRY_VERIFY((QRegion(cell) - painted.region).isEmpty());
     }
 
@@ -162,18 +152,18 @@ private slots:
         QTest::keyClick(m_tree, Qt::Key_F2);
         auto *cell = named<QLineEdit>(*m_tree, "colourField");
         QSignalSpy refused(&document(), &SceneDocument::refused);
-        cell->setText(QStringLiteral("#ffb0"));
+        cell->setText(u"#ffb0"_s);
         QTest::keyClick(cell, Qt::Key_Return);
         QCOMPARE(refused.size(), 1);
-        QVERIFY(refused[0][0].toString().contains(QStringLiteral("#rrggbb")));
+        QVERIFY(refused[0][0].toString().contains(u"#rrggbb"_s));
         QCOMPARE(document().vertexAt({0, 1})->colour, before);
 
-        cell->setText(QStringLiteral("#ffb000"));
+        cell->setText(u"#ffb000"_s);
         QTest::keyClick(cell, Qt::Key_Return);
         QTRY_COMPARE(document().vertexAt({0, 1})->colour, (Colour{{255, 176, 0}}));
         document().undoStack()->undo();
         QCOMPARE(document().vertexAt({0, 1})->colour, before);
-        QVERIFY(!opaqueColour(QStringLiteral("#ffb00080")));
+        QVERIFY(!opaqueColour(u"#ffb00080"_s));
     }
 
     void aDoubleClickOnAColourAsksForAnother()

@@ -11,13 +11,8 @@
 #include "widgets/lab/labtable.h"
 #include "widgets/lab/paretoplot.h"
 
-#include <QComboBox>
-#include <QLabel>
-#include <QProgressBar>
-#include <QPushButton>
-#include <QSignalSpy>
-#include <QTabWidget>
-#include <QTest>
+#include <QtTest>
+#include <QtWidgets>
 
 namespace tst_accuracylab {
 
@@ -37,7 +32,7 @@ private slots:
     void init()
     {
         m_settings.clear();
-        m_window = openedWindow(QStringLiteral("ties-at-tenths.json"));
+        m_window = openedWindow(u"ties-at-tenths.json"_s);
         action(*m_window, "accuracyLabDockToggle")->trigger();
         m_lab = named<AccuracyLab>(*m_window, "accuracyLab");
         m_lab->setRequest(smallRequest());
@@ -51,12 +46,12 @@ private slots:
         QVERIFY(!m_lab->results());
         const auto *invitation = named<QLabel>(*m_lab, "labInvitation");
         QVERIFY(invitation->isVisible());
-        QVERIFY(invitation->text().contains(QStringLiteral(": about ")));
-        QVERIFY(invitation->text().endsWith(QStringLiteral(" s.")));
+        QVERIFY(invitation->text().contains(u": about "_s));
+        QVERIFY(invitation->text().endsWith(u" s."_s));
         QVERIFY(!named<QTabWidget>(*m_lab, "labTabs")->isVisible());
 
         named<QComboBox>(*m_lab, "labExtent")->setCurrentIndex(1);
-        QVERIFY(invitation->text().contains(QStringLiteral("every method in every arithmetic")));
+        QVERIFY(invitation->text().contains(u"every method in every arithmetic"_s));
     }
 
     void aRunFillsTheChartsAndCanBeDoneAgain()
@@ -74,11 +69,9 @@ private slots:
             QVERIFY(!named<QProgressBar>(*m_lab, "labProgress")->isVisible());
             QVERIFY(button("labRun")->isEnabled());
             QCOMPARE(named<LabTable>(*m_lab, "labTable")->model()->rowCount(), 2);
-            QVERIFY(named<ParetoPlot>(*m_lab, "labPareto")
-                        ->positionOf(QStringLiteral("column-scan:float32")));
-            QVERIFY(named<QLabel>(*m_lab, "labConditions")
-                        ->text()
-                        .contains(QStringLiteral("pixelplumb-cli lab")));
+            QVERIFY(named<ParetoPlot>(*m_lab, "labPareto")->positionOf(u"column-scan:float32"_s));
+            QVERIFY(
+                named<QLabel>(*m_lab, "labConditions")->text().contains(u"pixelplumb-cli lab"_s));
         }
     }
 
@@ -108,7 +101,7 @@ private slots:
         QTest::keyClick(pareto, Qt::Key_Right);
         QVERIFY(table->selected() != cheapest);
         QCOMPARE(table->selected(), pareto->selected());
-        QVERIFY(pareto->accessibleDescription().contains(QStringLiteral("ns a pixel")));
+        QVERIFY(pareto->accessibleDescription().contains(u"ns a pixel"_s));
     }
 
     void progressMovesNoTab_data()
@@ -144,9 +137,9 @@ private slots:
     {
         runToItsEnd();
         const Study study = *m_lab->results();
-        const QString path = m_folder.filePath(QStringLiteral("lab.json"));
+        const QString path = m_folder.filePath(u"lab.json"_s);
         QVERIFY(m_lab->files()->writeResults(path, study));
-        QVERIFY(m_lab->files()->writeTable(m_folder.filePath(QStringLiteral("lab.csv")), study));
+        QVERIFY(m_lab->files()->writeTable(m_folder.filePath(u"lab.csv"_s), study));
 
         QVERIFY(m_lab->openResults(path));
 
@@ -154,7 +147,7 @@ private slots:
         QSignalSpy complaints(m_lab, &AccuracyLab::complaint);
         QVERIFY(!m_lab->files()->writeTable(path, study)); // results that were read, not measured
         QVERIFY(complaints.takeFirst().constFirst().toString().contains("not written"));
-        QVERIFY(!m_lab->openResults(m_folder.filePath(QStringLiteral("lab.csv"))));
+        QVERIFY(!m_lab->openResults(m_folder.filePath(u"lab.csv"_s)));
         QVERIFY(complaints.takeFirst().constFirst().toString().contains("not opened"));
     }
 
@@ -167,9 +160,9 @@ private slots:
             = madeResults({{"column-scan:float32", 2, 5000}, {"proved", 3, 0, true}});
         ParetoPlot plot;
         plot.resize(300, 200);
-        plot.show(results, QStringLiteral("f"), *errorAxisNamed(QStringLiteral("wrong-pixels")));
-        const QString svg = m_folder.filePath(QStringLiteral("chart.svg"));
-        const QString png = m_folder.filePath(QStringLiteral("chart.png"));
+        plot.show(results, u"f"_s, *errorAxisNamed(u"wrong-pixels"_s));
+        const QString svg = m_folder.filePath(u"chart.svg"_s);
+        const QString png = m_folder.filePath(u"chart.png"_s);
 
         QVERIFY(m_lab->files()->writeChart(svg, plot, *results));
         QVERIFY(m_lab->files()->writeChart(png, plot, *results));
@@ -206,7 +199,7 @@ private slots:
         qApp->setPalette(palette);
         runToItsEnd();
 
-        grabbed(*m_window, QStringLiteral("lab"));
+        grabbed(*m_window, u"lab"_s);
         QTRY_COMPARE(readingFault(*named<QWidget>(*m_lab, "labPareto")), QString());
     }
 

@@ -7,9 +7,8 @@
 #include "widgets/lab/missplot.h"
 #include "widgets/lab/paretoplot.h"
 
-#include <QApplication>
-#include <QFontMetricsF>
 #include <QTest>
+#include <QtWidgets>
 
 namespace tst_labfigures {
 
@@ -100,11 +99,6 @@ private slots:
             QCOMPARE(plain.shape(), loop.shape());
             QCOMPARE(kernelDot(arithmetic, LabKernel::Fast, palette).shape(),
                      QCPScatterStyle::ssCustom);
-            for (std::size_t method : {0, 1, 2}) {
-                const QCPScatterStyle cross = otherMethodDot(arithmetic, method, palette);
-                QVERIFY(cross.shape() != plain.shape());
-                QVERIFY(cross.shape() != otherMethodDot(arithmetic, method + 1, palette).shape());
-            }
         }
     }
 

@@ -15,9 +15,8 @@
 #include "widgets/studies/compare/comparepanel.h"
 #include "widgets/studies/compare/compareview.h"
 
-#include <QLabel>
-#include <QTemporaryDir>
 #include <QTest>
+#include <QtWidgets>
 
 #include <random>
 
@@ -30,7 +29,7 @@ namespace {
 constexpr int longest = 60'000; // ms
 /// The room that a screen of 1366 × 768 leaves.
 constexpr QSize sizeOnSmallScreen(1358, 728);
-const QString contenderId = QStringLiteral("column-scan:float32");
+const QString contenderId = u"column-scan:float32"_s;
 
 enum class Colours { One, Three };
 
@@ -127,7 +126,7 @@ private slots:
         const bool isVisited = step.kind == StepKind::Sample
             && traced.trace->changes()[step.sample].x == pixel.x()
             && traced.trace->changes()[step.sample].y == pixel.y();
-        if (kind == Difference::Missing && method != QStringLiteral("barycentric-incremental")) {
+        if (kind == Difference::Missing && method != u"barycentric-incremental"_s) {
             const SpanPlace &place = traced.trace->placeOf(step.span);
             QCOMPARE(place.coordinate, place.axis == SpanAxis::Column ? miss.x : miss.y);
             QVERIFY(!isVisited);
@@ -139,7 +138,7 @@ private slots:
         QVERIFY(canvas->view().contains(canvas->positionOf(pixel)));
         QVERIFY2(canvas->zoom() >= 8, qPrintable(QString::number(canvas->zoom())));
         QCOMPARE(m_window->size(), sizeOnSmallScreen);
-        const QString place = QStringLiteral("(%1, %2)").arg(pixel.x()).arg(pixel.y());
+        const QString place = u"(%1, %2)"_s.arg(pixel.x()).arg(pixel.y());
         QVERIFY(named<QLabel>(*m_window, "compareReason")->text().contains(place));
         QCOMPARE(compare->contenders().front().settings.arithmetic, arithmetic);
         QVERIFY(compare->contenders().back().isTruth());
@@ -152,7 +151,7 @@ private slots:
     void theFirstIsThatOfTheOrderOfDrawing()
     {
         StudySettings settings;
-        settings.families = {QStringLiteral("slivers"), QStringLiteral("random-subpixel")};
+        settings.families = {u"slivers"_s, u"random-subpixel"_s};
         settings.mostSamples = 20'000'000;
         settings.rounds = 0;
         for (const char *id :
@@ -179,8 +178,7 @@ private slots:
 
     void unsavedChangesAreAskedAboutFirst()
     {
-        const LabMiss miss
-            = missOf(Difference::Missing, QStringLiteral("column-scan"), Arithmetic::Float32);
+        const LabMiss miss = missOf(Difference::Missing, u"column-scan"_s, Arithmetic::Float32);
         showStudyWith(miss);
         SceneFiles *files = m_window->parts().files;
         SceneDocument *document = m_window->parts().document;
@@ -220,7 +218,7 @@ private:
     }
     void showStudyWith(const LabMiss &miss)
     {
-        const QString path = m_folder.filePath(QStringLiteral("lab.json"));
+        const QString path = m_folder.filePath(u"lab.json"_s);
         QVERIFY(!writeFile(path, writeStudy(*studyWith(miss))));
         QVERIFY(m_lab->openResults(path));
         QCoreApplication::processEvents();

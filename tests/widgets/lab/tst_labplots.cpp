@@ -9,10 +9,8 @@
 #include "widgets/lab/missplot.h"
 #include "widgets/lab/paretoplot.h"
 
-#include <QAbstractItemModelTester>
 #include <QHeaderView>
-#include <QSignalSpy>
-#include <QTest>
+#include <QtTest>
 
 #include <cmath>
 
@@ -56,7 +54,7 @@ QImage shown(const Arguments &...arguments)
     return plot.grab().toImage();
 }
 
-const ErrorAxis &wrongPixels() { return *errorAxisNamed(QStringLiteral("wrong-pixels")); }
+const ErrorAxis &wrongPixels() { return *errorAxisNamed(u"wrong-pixels"_s); }
 
 } // namespace
 
@@ -72,19 +70,18 @@ private slots:
                                     {"column-scan:fixed32.32", 1.0, 52},
                                     {"row-walk:exact", 3.0, 0}});
 
-        QCOMPARE(priceText(*results, QStringLiteral("f")),
-                 QStringLiteral("Column scan beside float32 (5221 wrong of a million): exact "
-                                "×1.25, 0; fixed32.32 ×0.50, 52.0."));
+        QCOMPARE(
+            priceText(*results, u"f"_s),
+            u"Column scan beside float32 (5221 wrong of a million): exact ×1.25, 0; fixed32.32 "
+            "×0.50, 52.0."_s);
         results->rows[0].cost.reset();
-        QCOMPARE(priceText(*results, QStringLiteral("f")), QString());
+        QCOMPARE(priceText(*results, u"f"_s), QString());
     }
 
-    void theErrorScaleGoesThereAndBack()
+    void theErrorScaleKnowsTheClassOfEachPlace()
     {
         const ErrorScale scale(chartOf({positive(0.02), positive(700)}));
 
-        QCOMPARE(scale.leastExponent(), -2);
-        QCOMPARE(scale.largestExponent(), 3);
         QVERIFY(scale.toAxis(ErrorClass::ZeroProved, 0)
                 < scale.toAxis(ErrorClass::ZeroObserved, 0));
         QVERIFY(scale.toAxis(ErrorClass::ZeroObserved, 0) < scale.separator());
@@ -92,14 +89,11 @@ private slots:
         for (const double error : {0.01, 0.02, 1.0, 35.0, 700.0}) {
             const double axis = scale.toAxis(ErrorClass::Positive, error);
             QVERIFY(axis > before);
-            QVERIFY(std::abs(scale.errorAt(axis) - error) <= 1e-9 * error);
             QVERIFY(scale.classAt(axis) == ErrorClass::Positive);
             before = axis;
         }
-        for (const ErrorClass zero : {ErrorClass::ZeroObserved, ErrorClass::ZeroProved}) {
+        for (const ErrorClass zero : {ErrorClass::ZeroObserved, ErrorClass::ZeroProved})
             QVERIFY(scale.classAt(scale.toAxis(zero, 0)) == zero);
-            QCOMPARE(scale.errorAt(scale.toAxis(zero, 0)), 0.0);
-        }
         QVERIFY(before < scale.top());
     }
 
@@ -119,8 +113,8 @@ private slots:
         const auto ticks = scale.ticks(3);
 
         QVERIFY(ticks.size() >= 3 && ticks.size() <= 6);
-        QCOMPARE(ticks[0].label, QStringLiteral("0, proved"));
-        QCOMPARE(ticks[1].label, QStringLiteral("0, observed"));
+        QCOMPARE(ticks[0].label, u"0, proved"_s);
+        QCOMPARE(ticks[1].label, u"0, observed"_s);
         for (const ErrorScale::Tick &tick : ticks)
             QVERIFY(tick.axis >= ErrorScale::bottom && tick.axis <= scale.top());
         QVERIFY(scale.toAxis(ErrorClass::Positive, qInf()) <= scale.top());
@@ -131,7 +125,7 @@ private slots:
         ParetoPlot plot;
         plot.resize(700, 400);
         plot.setVisible(true);
-        plot.show(madeResults(five()), QStringLiteral("f"), wrongPixels());
+        plot.show(madeResults(five()), u"f"_s, wrongPixels());
 
         const auto at = [&plot](const char *id) { return *plot.positionOf(QLatin1String(id)); };
         QVERIFY(at("cheap").x() < at("lucky").x());
@@ -145,7 +139,7 @@ private slots:
         QVERIFY(at("cheap").y() < at("dear").y()); // lower is more exact
         QVERIFY(at("dear").y() < at("lucky").y());
         QVERIFY(at("lucky").y() < at("proved").y());
-        QVERIFY(!plot.positionOf(QStringLiteral("nobody")));
+        QVERIFY(!plot.positionOf(u"nobody"_s));
     }
 
     void aClickOnADotNamesItsContender()
@@ -153,13 +147,13 @@ private slots:
         ParetoPlot plot;
         plot.resize(700, 400);
         plot.setVisible(true);
-        plot.show(madeResults(five()), QStringLiteral("f"), wrongPixels());
+        plot.show(madeResults(five()), u"f"_s, wrongPixels());
         QSignalSpy spy(&plot, &ParetoPlot::contenderClicked);
         auto *inner = plot.findChild<QWidget *>();
 
-        const QPointF dot = *plot.positionOf(QStringLiteral("dear"));
+        const QPointF dot = *plot.positionOf(u"dear"_s);
         QTest::mouseClick(inner, Qt::LeftButton, {}, inner->mapFrom(&plot, dot.toPoint()));
-        QCOMPARE(spy.takeFirst().constFirst().toString(), QStringLiteral("dear"));
+        QCOMPARE(spy.takeFirst().constFirst().toString(), u"dear"_s);
         QTest::mouseClick(inner, Qt::LeftButton, {}, QPoint(2, 2));
         QVERIFY(spy.isEmpty());
     }
@@ -169,15 +163,15 @@ private slots:
         ParetoPlot plot;
         plot.resize(700, 400);
         plot.setVisible(true);
-        plot.show(madeResults(five()), QStringLiteral("f"), wrongPixels());
+        plot.show(madeResults(five()), u"f"_s, wrongPixels());
 
         const auto textOf
             = [&plot](const char *id) { return plot.textAt(*plot.positionOf(QLatin1String(id))); };
-        QVERIFY2(textOf("dear").contains(QStringLiteral("20 of 1000000 pixels wrong")),
+        QVERIFY2(textOf("dear").contains(u"20 of 1000000 pixels wrong"_s),
                  qPrintable(textOf("dear")));
-        QVERIFY(textOf("dear").contains(QStringLiteral("8.80 (7.92 … 9.68) ns a pixel, ×4.40")));
-        QVERIFY(textOf("proved").contains(QStringLiteral("by proof: all triangles")));
-        QVERIFY(textOf("lucky").contains(QStringLiteral("observed over 1000000 pixels")));
+        QVERIFY(textOf("dear").contains(u"8.80 (7.92 … 9.68) ns a pixel, ×4.40"_s));
+        QVERIFY(textOf("proved").contains(u"by proof: all triangles"_s));
+        QVERIFY(textOf("lucky").contains(u"observed over 1000000 pixels"_s));
         QVERIFY(plot.textAt({1, 1}).isEmpty());
     }
 
@@ -193,7 +187,7 @@ private slots:
     {
         QFETCH(QString, family);
         QFETCH(bool, isJudged);
-        const QString only = QStringLiteral("only");
+        const QString only = u"only"_s;
         const SharedResults none = madeResults({});
         for (const std::int64_t wrong : {0, 3}) {
             const SharedResults one = madeResults({{"only", 2.0, wrong}});
@@ -261,7 +255,7 @@ private slots:
         MissPlot plot;
         plot.resize(700, 300);
         plot.setVisible(true);
-        plot.show(results, QStringLiteral("f"), QStringLiteral("one"));
+        plot.show(results, u"f"_s, u"one"_s);
         QStringList found;
         for (int x = 0; x < plot.width(); ++x) {
             const QString text = plot.textAt(QPointF(x, 100));
@@ -287,12 +281,11 @@ private slots:
     {
         LabTable table;
         const QAbstractItemModelTester tester(table.model());
-        table.show(madeResults(five()), QStringLiteral("f"));
+        table.show(madeResults(five()), u"f"_s);
         QCOMPARE(table.model()->rowCount(), 5);
-        table.select(QStringLiteral("lucky"));
+        table.select(u"lucky"_s);
         const int costs = 2;
-        QCOMPARE(table.model()->headerData(costs, Qt::Horizontal).toString(),
-                 QStringLiteral("ns a pixel"));
+        QCOMPARE(table.model()->headerData(costs, Qt::Horizontal).toString(), u"ns a pixel"_s);
 
         QTest::mouseClick(table.horizontalHeader()->viewport(), Qt::LeftButton, {},
                           {table.horizontalHeader()->sectionViewportPosition(costs) + 12, 8});
@@ -302,7 +295,7 @@ private slots:
         for (int row = 0; row < 5; ++row)
             order.append(table.model()->index(row, 0).data().toString());
         QCOMPARE(order, (QStringList{"cheap", "lucky", "column-scan:float32", "proved", "dear"}));
-        QCOMPARE(table.selected(), QStringLiteral("lucky"));
+        QCOMPARE(table.selected(), u"lucky"_s);
     }
 };
 

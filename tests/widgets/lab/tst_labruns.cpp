@@ -7,12 +7,8 @@
 #include "widgets/model/playhead.h"
 #include "widgets/model/scenedocument.h"
 
-#include <QComboBox>
-#include <QLabel>
-#include <QProgressBar>
-#include <QPushButton>
-#include <QSignalSpy>
-#include <QTest>
+#include <QtTest>
+#include <QtWidgets>
 
 namespace tst_labruns {
 
@@ -32,7 +28,7 @@ private slots:
     void init()
     {
         m_settings.clear();
-        m_window = openedWindow(QStringLiteral("ties-at-tenths.json"));
+        m_window = openedWindow(u"ties-at-tenths.json"_s);
         action(*m_window, "accuracyLabDockToggle")->trigger();
         m_lab = named<AccuracyLab>(*m_window, "accuracyLab");
         m_lab->setRequest(smallRequest());
@@ -60,7 +56,7 @@ private slots:
         const Study &study = *m_lab->results();
         QVERIFY(study.rounds >= shown);
         for (const LabRow &row : study.rows) {
-            if (row.family == QStringLiteral("own-scene"))
+            if (row.family == u"own-scene"_s)
                 QVERIFY(row.cost && row.cost->rounds >= shown);
         }
         QVERIFY(!m_lab->results()->isComplete);

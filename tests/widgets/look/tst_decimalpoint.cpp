@@ -10,11 +10,8 @@
 #include "widgets/look/labels.h"
 #include "widgets/look/numberformat.h"
 
-#include <QInputDialog>
-#include <QLineEdit>
-#include <QSignalSpy>
-#include <QTemporaryDir>
-#include <QTest>
+#include <QtTest>
+#include <QtWidgets>
 
 namespace tst_decimalpoint {
 
@@ -86,7 +83,7 @@ private slots:
         keepDecimalPoint();
 
         QCOMPARE(QLocale().toString(1234.5), "1234.5");
-        QCOMPARE(QStringLiteral("%L1").arg(1234567), "1234567");
+        QCOMPARE(u"%L1"_s.arg(1234567), "1234567");
     }
 
     void groupsAreApartBySpacesThatDoNotBreak()
@@ -131,11 +128,11 @@ private slots:
         QSignalSpy refused(window->parts().document, &SceneDocument::refused);
         window->parts().canvas->editCoordinates({0, 0});
         auto *dialog = named<QInputDialog>(*window, "vertexDialog");
-        dialog->setTextValue(QStringLiteral("1,5; 2"));
+        dialog->setTextValue(u"1,5; 2"_s);
         dialog->accept();
         QCOMPARE(refused.count(), 1);
         const QString told = refused.front().front().toString();
-        QVERIFY2(told.contains(QStringLiteral("1,5")), qPrintable(told));
+        QVERIFY2(told.contains(u"1,5"_s), qPrintable(told));
     }
 
 private:

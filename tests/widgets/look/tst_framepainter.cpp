@@ -7,10 +7,8 @@
 #include "widgets/look/appearance.h"
 #include "widgets/look/framepainter.h"
 
-#include <QPainter>
-#include <QPicture>
-#include <QRandomGenerator>
 #include <QTest>
+#include <QtWidgets>
 
 #include <cmath>
 

@@ -15,14 +15,8 @@
 #include "tests/support/window/translationfile.h"
 #include "widgets/look/corewords.h"
 
-#include <QDialogButtonBox>
-#include <QFileInfo>
-#include <QProcess>
-#include <QPushButton>
-#include <QRegularExpression>
-#include <QSet>
-#include <QTemporaryDir>
 #include <QTest>
+#include <QtWidgets>
 
 #include <span>
 

@@ -7,14 +7,8 @@
 #include "widgets/look/symboltext.h"
 #include "widgets/look/typesetting.h"
 
-#include <QAbstractTextDocumentLayout>
-#include <QHelpEvent>
 #include <QTest>
-#include <QTextBlock>
-#include <QTextDocument>
-#include <QTextLayout>
-#include <QToolButton>
-#include <QToolTip>
+#include <QtWidgets>
 
 namespace tst_typesetting {
 

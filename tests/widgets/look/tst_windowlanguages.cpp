@@ -9,18 +9,8 @@
 #include "widgets/look/corewords.h"
 #include "widgets/look/labels.h"
 
-#include <QApplication>
-#include <QDockWidget>
-#include <QLabel>
-#include <QMenu>
-#include <QMenuBar>
-#include <QPushButton>
-#include <QRegularExpression>
-#include <QTabBar>
 #include <QTest>
-#include <QTimer>
-#include <QToolBar>
-#include <QToolButton>
+#include <QtWidgets>
 
 #include <algorithm>
 #include <optional>
@@ -42,16 +32,14 @@ void showPanel(const MainWindow &window, const QDockWidget &dock)
 /// Whether a text is the same in every language.
 bool isOfNoLanguage(const ShownText &shown)
 {
-    static const QRegularExpression word(QStringLiteral("[A-Za-zÄÖÜäöüß]{2}"));
+    static const QRegularExpression word(u"[A-Za-zÄÖÜäöüß]{2}"_s);
     if (!word.match(shown.text).hasMatch())
         return true; // a symbol or a number
     // Core names methods, rules, arithmetics and cases as course texts, files and the command line
     // do, and explains them in English, as those texts do. A button has its colour's name.
-    static const QRegularExpression places(QStringLiteral(
-        "^((method|variant)-.*|layer-.* tip|precision_.*"
-        "|(method|arithmetic|fillRule|rounding)Box|compare(Method|Arithmetic|FillRule)[1-4]"
-        "|(columnTable|hardCaseVerdicts) header|predictChoice|hardCaseTitle|formulaSentence"
-        "|pixelHistoryReason|nextColourButton|vertex[0-2]Colour)$"));
+    static const QRegularExpression places(
+        u"^((method|variant)-.*|layer-.* "
+        "tip|precision_.*|(method|arithmetic|fillRule|rounding)Box|compare(Method|Arithmetic|FillRule)[1-4]|(columnTable|hardCaseVerdicts) header|predictChoice|hardCaseTitle|formulaSentence|pixelHistoryReason|nextColourButton|vertex[0-2]Colour)$"_s);
     return places.match(shown.place).hasMatch();
 }
 
@@ -61,7 +49,7 @@ QString untranslatedOf(const QList<ShownText> &texts)
     QStringList untranslated;
     for (const ShownText &shown : texts) {
         if (!isOfNoLanguage(shown) && !shown.text.contains(u'['))
-            untranslated += shown.place + QStringLiteral(": ") + shown.text;
+            untranslated += shown.place + u": "_s + shown.text;
     }
     untranslated.removeDuplicates();
     return untranslated.join(u'\n');
@@ -70,8 +58,7 @@ QString untranslatedOf(const QList<ShownText> &texts)
 /// "&Datei" → "d"
 QChar mnemonicOf(const QString &text)
 {
-    const qsizetype place
-        = QString(text).replace(QStringLiteral("&&"), QStringLiteral("  ")).indexOf(u'&');
+    const qsizetype place = QString(text).replace(u"&&"_s, u"  "_s).indexOf(u'&');
     return place < 0 || place + 1 == text.size() ? QChar() : text[place + 1].toLower();
 }
 
@@ -83,7 +70,7 @@ QString sharedLetterIn(const QList<QAction *> &entries)
         const QChar letter = mnemonicOf(entry->text());
         if (!letter.isNull() && entry->isVisible()) {
             if (taken.contains(letter))
-                return taken[letter] + QStringLiteral(", ") + entry->text();
+                return taken[letter] + u", "_s + entry->text();
             taken[letter] = entry->text();
         }
         if (const QString shared
@@ -104,8 +91,7 @@ QStringList narrowIn(const QWidget &whole)
             ? std::min(part.sizeHint().width(), part.fontMetrics().horizontalAdvance(text) + 8)
             : part.sizeHint().width();
         if (part.isVisible() && !text.isEmpty() && part.width() < wanted)
-            narrow += QStringLiteral("%1 “%2”: %3 of %4")
-                          .arg(part.objectName(), text)
+            narrow += u"%1 “%2”: %3 of %4"_s.arg(part.objectName(), text)
                           .arg(part.width())
                           .arg(wanted);
     };
@@ -189,12 +175,11 @@ private slots:
 
         QSet<QString> unknown = pseudo.asked();
         QVERIFY(unknown.size() > 500);
-        for (const TranslatedText &text :
-             textsOf(resource(QStringLiteral("/translations/pixelplumb_de.ts"))))
+        for (const TranslatedText &text : textsOf(resource(u"/translations/pixelplumb_de.ts"_s)))
             unknown.remove(text.name());
         for (const QString &name : unknown) {
-            if (!name.startsWith(QLatin1String("core: "))) // coreWord() requests all
-                                                           // texts
+            if (!name.startsWith("core: "_L1)) // coreWord() requests all
+                                               // texts
                 QFAIL(qPrintable(name));
         }
     }
@@ -205,7 +190,7 @@ private slots:
         const auto window = windowOf(QSize(1440, 960));
 
         QCOMPARE(sharedLetterIn(window->menuBar()->actions()), QString());
-        window->openScene(resource(QStringLiteral("/scenes/lines.json")));
+        window->openScene(resource(u"/scenes/lines.json"_s));
         settle(); // the steps now have other names
         QCOMPARE(sharedLetterIn(window->menuBar()->actions()), QString());
     }

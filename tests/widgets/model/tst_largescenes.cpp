@@ -8,10 +8,8 @@
 #include "widgets/model/playhead.h"
 #include "widgets/model/scenetracer.h"
 
-#include <QApplication>
-#include <QElapsedTimer>
-#include <QMouseEvent>
 #include <QSignalSpy>
+#include <QtWidgets>
 
 #include <algorithm>
 

@@ -3,8 +3,7 @@
 #include "tests/support/testprogram.h"
 #include "tests/support/tracedplayhead.h"
 
-#include <QSignalSpy>
-#include <QTest>
+#include <QtTest>
 
 namespace tst_playhead {
 

@@ -6,8 +6,7 @@
 #include "tests/support/testprogram.h"
 #include "widgets/model/scenetracer.h"
 
-#include <QSignalSpy>
-#include <QTest>
+#include <QtTest>
 
 #include <random>
 

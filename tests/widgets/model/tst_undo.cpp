@@ -3,8 +3,7 @@
 #include "tests/support/testprogram.h"
 #include "widgets/model/scenedocument.h"
 
-#include <QSignalSpy>
-#include <QTest>
+#include <QtTest>
 
 namespace tst_undo {
 

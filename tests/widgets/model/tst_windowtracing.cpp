@@ -10,8 +10,7 @@
 #include "widgets/model/scenedocument.h"
 #include "widgets/model/scenetracer.h"
 
-#include <QSignalSpy>
-#include <QTest>
+#include <QtTest>
 
 namespace tst_windowtracing {
 
@@ -80,17 +79,15 @@ private slots:
         QCOMPARE(verdictNote(*traceScene(Scene())), QString());
 
         Scene scene = defaultSceneIn(Arithmetic::Exact);
-        QCOMPARE(verdictNote(*traceScene(scene)),
-                 QStringLiteral("When finished: all pixels correct"));
+        QCOMPARE(verdictNote(*traceScene(scene)), u"When finished: all pixels correct"_s);
         scene.appearance.forced[Effect::Depth] = Forcing::On;
         QCOMPARE(verdictNote(*traceScene(scene)),
-                 QStringLiteral("as forced: When finished: all pixels correct"));
+                 u"as forced: When finished: all pixels correct"_s);
 
         const auto rounded = traceScene(defaultSceneIn(Arithmetic::Fixed16));
         QVERIFY(rounded->differences.total() > 0);
         QCOMPARE(verdictNote(*rounded),
-                 QStringLiteral("When finished: %1 px wrong, truth %2 px")
-                     .arg(rounded->differences.total())
+                 u"When finished: %1 px wrong, truth %2 px"_s.arg(rounded->differences.total())
                      .arg(traceScene(scene)->truePixels));
     }
 
@@ -107,12 +104,10 @@ private slots:
         scene.shapes = {arrow};
 
         const auto refused = traceScene(scene);
-        QCOMPARE(
-            verdictNote(*refused),
-            QStringLiteral("When finished: %1 px wrong, truth %1 px").arg(refused->truePixels));
+        QCOMPARE(verdictNote(*refused),
+                 u"When finished: %1 px wrong, truth %1 px"_s.arg(refused->truePixels));
         scene.method = "polygon-parity";
-        QCOMPARE(verdictNote(*traceScene(scene)),
-                 QStringLiteral("When finished: all pixels correct"));
+        QCOMPARE(verdictNote(*traceScene(scene)), u"When finished: all pixels correct"_s);
     }
 
 private:

@@ -11,13 +11,8 @@
 #include "widgets/space/stagetree.h"
 #include "widgets/space/surfacespanel.h"
 
-#include <QDockWidget>
-#include <QLabel>
-#include <QSignalSpy>
-#include <QSlider>
-#include <QTabWidget>
-#include <QTest>
-#include <QTextBrowser>
+#include <QtTest>
+#include <QtWidgets>
 
 namespace tst_projectiondock {
 
@@ -103,21 +98,21 @@ private slots:
         Bench bench;
 
         bench.playhead.seek(positionIn(bench.playhead, 0));
-        QVERIFY2(bench.sentence().startsWith(QStringLiteral("The scene's solids become")),
+        QVERIFY2(bench.sentence().startsWith(u"The scene's solids become"_s),
                  qPrintable(bench.sentence()));
         QCOMPARE(bench.tree->topLevelItemCount(), 0);
 
         bench.playhead.seek(positionIn(bench.playhead, 1));
-        QVERIFY2(bench.sentence().contains(QStringLiteral("C₀ C₁ C₂ of face 0 of solid 0")),
+        QVERIFY2(bench.sentence().contains(u"C₀ C₁ C₂ of face 0 of solid 0"_s),
                  qPrintable(bench.sentence()));
         QCOMPARE(bench.tree->topLevelItemCount(), 7);
 
         bench.playhead.seek(positionIn(bench.playhead, 2));
-        QVERIFY2(bench.sentence().contains(QStringLiteral("C₀ C₂ C₃ of face 0 of solid 0")),
+        QVERIFY2(bench.sentence().contains(u"C₀ C₂ C₃ of face 0 of solid 0"_s),
                  qPrintable(bench.sentence()));
 
         bench.playhead.seek(positionIn(bench.playhead, 20));
-        QVERIFY2(bench.sentence().contains(QStringLiteral("of solid 1, a sphere")),
+        QVERIFY2(bench.sentence().contains(u"of solid 1, a sphere"_s),
                  qPrintable(bench.sentence()));
     }
 
@@ -126,23 +121,22 @@ private slots:
         Bench bench;
         bench.playhead.seek(positionIn(bench.playhead, 1));
 
-        QCOMPARE(notesOf(*bench.tree, QStringLiteral("Clipped polygon")),
-                 (QStringList{QStringLiteral("C₀: V₀, kept"), QStringLiteral("C₁: V₁, kept"),
-                              QStringLiteral("C₂: the near plane cuts V₁V₂"),
-                              QStringLiteral("C₃: the near plane cuts V₀V₂")}));
+        QCOMPARE(
+            notesOf(*bench.tree, u"Clipped polygon"_s),
+            (QStringList{u"C₀: V₀, kept"_s, u"C₁: V₁, kept"_s, u"C₂: the near plane cuts V₁V₂"_s,
+                         u"C₃: the near plane cuts V₀V₂"_s}));
         // Depths 3 and −0.5: t = 2/3.5.
-        QVERIFY(cell(*bench.tree, QStringLiteral("Clipped polygon"), 2, 0, StageTree::ExactColumn)
-                    .startsWith(QStringLiteral("0.57142857142857142857")));
+        QVERIFY(cell(*bench.tree, u"Clipped polygon"_s, 2, 0, StageTree::ExactColumn)
+                    .startsWith(u"0.57142857142857142857"_s));
         const Triangle &drawn = bench.playhead.traced()->primitives.triangles[1];
         const double x = double(drawn.vertices[0].position.x) / 256;
-        QCOMPARE(cell(*bench.tree, QStringLiteral("Lattice"), 0, 0, StageTree::UsedColumn)
+        QCOMPARE(cell(*bench.tree, u"Lattice"_s, 0, 0, StageTree::UsedColumn)
                      .replace(QChar(0x2212), u'-')
                      .toDouble(),
                  x);
-        const double displacement
-            = cell(*bench.tree, QStringLiteral("Lattice"), 0, 0, StageTree::ErrorColumn)
-                  .replace(QChar(0x2212), u'-')
-                  .toDouble();
+        const double displacement = cell(*bench.tree, u"Lattice"_s, 0, 0, StageTree::ErrorColumn)
+                                        .replace(QChar(0x2212), u'-')
+                                        .toDouble();
         QVERIFY(displacement != 0 && std::abs(displacement) <= 1.0 / 512);
     }
 
@@ -150,12 +144,12 @@ private slots:
     {
         Bench bench;
         bench.playhead.seek(positionIn(bench.playhead, 1));
-        stageItem(*bench.tree, QStringLiteral("Camera"))->setExpanded(false);
+        stageItem(*bench.tree, u"Camera"_s)->setExpanded(false);
 
         bench.playhead.seek(positionIn(bench.playhead, 20));
 
-        QVERIFY(!stageItem(*bench.tree, QStringLiteral("Camera"))->isExpanded());
-        QVERIFY(stageItem(*bench.tree, QStringLiteral("Division"))->isExpanded());
+        QVERIFY(!stageItem(*bench.tree, u"Camera"_s)->isExpanded());
+        QVERIFY(stageItem(*bench.tree, u"Division"_s)->isExpanded());
     }
 
     void saysWhatItWouldShowWhereThereAreNoSolids()
@@ -164,7 +158,7 @@ private slots:
         scene.triangles = {triangleAt(3, 4, 50, 10, 20, 40)};
         const Bench bench(scene);
 
-        QVERIFY(bench.sentence().startsWith(QStringLiteral("This scene has no solids.")));
+        QVERIFY(bench.sentence().startsWith(u"This scene has no solids."_s));
         QVERIFY(!named<SideView>(bench.panel, "sideView")->isVisible());
     }
 
@@ -175,8 +169,7 @@ private slots:
         const Bench bench(scene);
 
         const QString text = bench.sentence();
-        QVERIFY2(text.contains(QStringLiteral("1: each has no part beyond the near plane")),
-                 qPrintable(text));
+        QVERIFY2(text.contains(u"1: each has no part beyond the near plane"_s), qPrintable(text));
     }
 
     void aDragTurnsTheSideViewAndADoubleClickPutsItBack()
@@ -259,8 +252,8 @@ private slots:
         const QString after = forms->toPlainText();
         QVERIFY(after != before);
         // Halfway from (1, 2) to (7, 5).
-        QVERIFY2(after.contains(QStringLiteral("x = 4 (exact)")), qPrintable(after));
-        QVERIFY2(after.contains(QStringLiteral("y = 3.5 (exact)")), qPrintable(after));
+        QVERIFY2(after.contains(u"x = 4 (exact)"_s), qPrintable(after));
+        QVERIFY2(after.contains(u"y = 3.5 (exact)"_s), qPrintable(after));
     }
 
     void opensByItsKeyInBothPalettes_data() { addPalettes(); }
@@ -271,7 +264,7 @@ private slots:
         qApp->setPalette(palette);
         QVERIFY(waitForRun(*window));
         QAction *toggle = action(*window, "projectionDockToggle");
-        QCOMPARE(toggle->shortcut(), QKeySequence(QStringLiteral("Alt+Shift+1")));
+        QCOMPARE(toggle->shortcut(), QKeySequence(u"Alt+Shift+1"_s));
         auto *playhead = window->findChild<Playhead *>();
         playhead->seek(positionIn(*playhead, 1));
 
@@ -281,12 +274,12 @@ private slots:
         auto *view = named<SideView>(*window, "sideView");
         QTRY_VERIFY(panel->isVisible());
         QTRY_VERIFY(view->height() > 150);
-        grabbed(*window, QStringLiteral("projection"));
+        grabbed(*window, u"projection"_s);
         QTRY_COMPARE(readingFault(*view), QString());
         QTRY_COMPARE(readingFault(*panel), QString());
         named<QTabWidget>(*window, "projectionTabs")->setCurrentIndex(1);
         auto *surfaces = named<SurfacesPanel>(*window, "surfacesPanel");
-        grabbed(*window, QStringLiteral("surfaces"));
+        grabbed(*window, u"surfaces"_s);
         QTRY_COMPARE(readingFault(*surfaces), QString());
     }
 };

@@ -6,9 +6,8 @@
 #include "widgets/model/scenedocument.h"
 #include "widgets/space/segmentsliders.h"
 
-#include <QLabel>
-#include <QSlider>
 #include <QTest>
+#include <QtWidgets>
 
 #include <algorithm>
 
@@ -87,8 +86,7 @@ private slots:
             Solid sphere = document.scene().solids[0];
             sphere.segments = segments;
             document.setSolid(0, sphere, document.newDrag());
-            QVERIFY(isTold(QStringLiteral("%1 × %2, at most %3 from the sphere")
-                               .arg(segments[0])
+            QVERIFY(isTold(u"%1 × %2, at most %3 from the sphere"_s.arg(segments[0])
                                .arg(segments[1])
                                .arg(sphereDistance(sphere.radius, segments), 0, 'g', 3)));
         }

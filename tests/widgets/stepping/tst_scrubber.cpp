@@ -8,8 +8,7 @@
 #include "widgets/stepping/scrubber.h"
 
 #include <QAccessible>
-#include <QSignalSpy>
-#include <QTest>
+#include <QtTest>
 
 namespace tst_scrubber {
 
@@ -161,8 +160,7 @@ private slots:
             = std::ranges::find(traced->marks, MarkKind::FirstDifference, &TraceMark::kind);
         QVERIFY(mark != traced->marks.end());
 
-        QCOMPARE(markText(*traced, *mark),
-                 QStringLiteral("first difference from the truth: ") + told);
+        QCOMPARE(markText(*traced, *mark), u"first difference from the truth: "_s + told);
     }
 
     void aDragSeeksLive()

@@ -11,12 +11,8 @@
 #include "widgets/studies/compare/compareview.h"
 #include "widgets/window/windowdocks.h"
 
-#include <QComboBox>
-#include <QDockWidget>
-#include <QLabel>
 #include <QTest>
-#include <QToolButton>
-#include <QWheelEvent>
+#include <QtWidgets>
 
 namespace tst_comparepanel {
 
@@ -29,7 +25,7 @@ private slots:
     void init()
     {
         m_settings.clear();
-        m_window = openedWindow(QStringLiteral("ties-at-tenths.json"));
+        m_window = openedWindow(u"ties-at-tenths.json"_s);
         m_panel = named<ComparePanel>(*m_window, "compare");
         m_playhead = m_window->parts().playhead;
     }
@@ -81,11 +77,9 @@ private slots:
         }
 
         m_playhead->seekToSpan(10);
-        QVERIFY2(told().contains(QStringLiteral("so far")) || told().contains(u'/'),
-                 qPrintable(told()));
+        QVERIFY2(told().contains(u"so far"_s) || told().contains(u'/'), qPrintable(told()));
         m_playhead->seek(m_playhead->end());
-        QVERIFY2(!told().contains(QStringLiteral("so far")) && !told().contains(u'/'),
-                 qPrintable(told()));
+        QVERIFY2(!told().contains(u"so far"_s) && !told().contains(u'/'), qPrintable(told()));
     }
 
     void zoomsAndMovesAllViewsTogether()
@@ -163,7 +157,7 @@ private slots:
         QVERIFY2(
             reason.contains(nameOf(m_panel->contest()->agreement.reasonAt(pixel.x(), pixel.y()))),
             qPrintable(reason));
-        QVERIFY2(reason.contains(QStringLiteral("instead of")), qPrintable(reason));
+        QVERIFY2(reason.contains(u"instead of"_s), qPrintable(reason));
     }
 
     void takesPanesAwayAndAddsThemUpToFour()
@@ -219,7 +213,7 @@ private slots:
         m_playhead->pick(pixel);
         QCoreApplication::processEvents();
 
-        const QImage picture = grabbed(*m_window, QStringLiteral("compare"));
+        const QImage picture = grabbed(*m_window, u"compare"_s);
 
         auto *map = named<AgreementView>(*m_panel, "agreementMap");
         const QImage cells = map->grab().toImage();

@@ -5,12 +5,8 @@
 #include "widgets/model/studentpicture.h"
 #include "widgets/studies/grade/gradebook.h"
 
-#include <QAbstractItemView>
-#include <QComboBox>
-#include <QLabel>
-#include <QLineEdit>
 #include <QTest>
-#include <QToolButton>
+#include <QtWidgets>
 
 namespace tst_currentgrading {
 

@@ -11,13 +11,8 @@
 #include "widgets/studies/cost/effectspanel.h"
 #include "widgets/studies/cost/effectstext.h"
 
-#include <QComboBox>
-#include <QLabel>
-#include <QPushButton>
-#include <QSignalSpy>
-#include <QTableView>
-#include <QTest>
-#include <QUndoStack>
+#include <QtTest>
+#include <QtWidgets>
 
 namespace tst_effectspanel {
 
@@ -107,31 +102,31 @@ private slots:
     void showsVerdictsWithReasonsAndFollowsEdits()
     {
         PlannedBench bench;
-        QCOMPARE(bench.cell(Effect::Depth, 1), QStringLiteral("● called for"));
-        QCOMPARE(bench.cell(Effect::Depth, 3), QStringLiteral("2"));
-        QVERIFY2(bench.cell(Effect::Depth, 8).contains(QStringLiteral("triangle 1 lies behind")),
+        QCOMPARE(bench.cell(Effect::Depth, 1), u"● called for"_s);
+        QCOMPARE(bench.cell(Effect::Depth, 3), u"2"_s);
+        QVERIFY2(bench.cell(Effect::Depth, 8).contains(u"triangle 1 lies behind"_s),
                  qPrintable(bench.cell(Effect::Depth, 8)));
-        QCOMPARE(bench.cell(Effect::Blending, 1), QStringLiteral("○ not called for"));
-        QCOMPARE(bench.cell(Effect::Blending, 8), QStringLiteral("every alpha is 255: opaque"));
+        QCOMPARE(bench.cell(Effect::Blending, 1), u"○ not called for"_s);
+        QCOMPARE(bench.cell(Effect::Blending, 8), u"every alpha is 255: opaque"_s);
         QVERIFY(bench.summary().isEmpty());
 
         bench.document.deletePrimitive(1);
         QVERIFY(bench.spy.wait(longest));
-        QCOMPARE(bench.cell(Effect::Depth, 1), QStringLiteral("○ not called for"));
+        QCOMPARE(bench.cell(Effect::Depth, 1), u"○ not called for"_s);
     }
 
     void theSceneIsGivenTheAntialiasingThatIsChosen()
     {
         Bench bench(overlapping());
         auto *box = named<QComboBox>(bench.panel, "effectsSamples");
-        QCOMPARE(box->currentText(), QStringLiteral("1 sample"));
+        QCOMPARE(box->currentText(), u"1 sample"_s);
         choose(bench, "effectsSamples", 3);
         QCOMPARE(bench.document.scene().appearance.antialiasing, Antialiasing::Area);
-        QCOMPARE(box->currentText(), QStringLiteral("exact area"));
+        QCOMPARE(box->currentText(), u"exact area"_s);
         choose(bench, "effectsSamples", 1);
         QCOMPARE(bench.document.scene().appearance.antialiasing, Antialiasing::Samples4);
         bench.document.undoStack()->undo();
-        QCOMPARE(box->currentText(), QStringLiteral("exact area"));
+        QCOMPARE(box->currentText(), u"exact area"_s);
     }
 
     void aSwitchTellsWhatChanges()
@@ -141,9 +136,8 @@ private slots:
         QVERIFY(bench.spy.wait(longest));
 
         QCOMPARE(int(bench.switches.forced()[Effect::Depth]), int(Forcing::Off));
-        QVERIFY2(bench.summary().startsWith(QStringLiteral("Forced: depth off; ")),
-                 qPrintable(bench.summary()));
-        QVERIFY2(bench.summary().endsWith(QStringLiteral("pixels change, marked on the canvas.")),
+        QVERIFY2(bench.summary().startsWith(u"Forced: depth off; "_s), qPrintable(bench.summary()));
+        QVERIFY2(bench.summary().endsWith(u"pixels change, marked on the canvas."_s),
                  qPrintable(bench.summary()));
         QVERIFY(!bench.document.isModified());
         QCOMPARE(bench.document.undoStack()->count(), 0);
@@ -167,8 +161,7 @@ private slots:
         choose(bench, box, int(Forcing::On));
         QVERIFY(bench.spy.wait(longest));
 
-        QVERIFY2(bench.summary().endsWith(QStringLiteral("on; no pixel changes.")),
-                 qPrintable(bench.summary()));
+        QVERIFY2(bench.summary().endsWith(u"on; no pixel changes."_s), qPrintable(bench.summary()));
     }
 
     void contradictionsAreCalledDefects()
@@ -177,7 +170,7 @@ private slots:
         plan.verdicts[Effect::Depth].verdict = Verdict::CalledFor;
         Appearance appearance;
         appearance.forced[Effect::Depth] = Forcing::Off;
-        const QString defect = QStringLiteral("defect");
+        const QString defect = u"defect"_s;
         const auto textOf = [&](Arithmetic arithmetic, std::int64_t changed) {
             return forcingText(plan, appearance, arithmetic, changed);
         };
@@ -218,7 +211,7 @@ private slots:
         QVERIFY(!bench.cell(Effect::Depth, 5).isEmpty());
         // Both triangles cover the same samples: each tests the depth once, the first also writes.
         QCOMPARE(*timing->costs[Effect::Depth]->operations, 3 * timing->pixels);
-        QCOMPARE(bench.cell(Effect::Depth, 6), QStringLiteral("3.00"));
+        QCOMPARE(bench.cell(Effect::Depth, 6), u"3.00"_s);
         QVERIFY(bench.cell(Effect::Texture, 7).isEmpty());
     }
 
@@ -238,9 +231,8 @@ private slots:
         Scene scene = overlapping();
         scene.method = "row-walk";
         PlannedBench bench(scene);
-        QVERIFY2(bench.summary().contains(QStringLiteral("cannot do depth")),
-                 qPrintable(bench.summary()));
-        QVERIFY(bench.summary().contains(QStringLiteral("“Plane equation”")));
+        QVERIFY2(bench.summary().contains(u"cannot do depth"_s), qPrintable(bench.summary()));
+        QVERIFY(bench.summary().contains(u"“Plane equation”"_s));
         QVERIFY(!named<QPushButton>(bench.panel, "effectsMeasure")->isEnabled());
     }
 

@@ -15,22 +15,8 @@
 #include "widgets/studies/grade/gradetable.h"
 #include "widgets/studies/grade/gradingpanel.h"
 
-#include <QAbstractItemModelTester>
-#include <QAbstractItemView>
-#include <QApplication>
-#include <QComboBox>
-#include <QDockWidget>
-#include <QFile>
-#include <QLabel>
-#include <QLineEdit>
-#include <QPlainTextEdit>
-#include <QProgressBar>
-#include <QScrollBar>
-#include <QTableView>
-#include <QTemporaryDir>
-#include <QTest>
-#include <QTimer>
-#include <QToolButton>
+#include <QtTest>
+#include <QtWidgets>
 
 #include <array>
 
@@ -114,10 +100,8 @@ private slots:
         QVERIFY(!told->isVisible());
 
         GradedSubmission ran = book(*window).report().submissions.front();
-        ran.scenes.front().run = GradedRun{QStringLiteral("finished"),
-                                           QStringLiteral("it finished"),
-                                           {},
-                                           QStringLiteral("there is no bwrap")};
+        ran.scenes.front().run
+            = GradedRun{u"finished"_s, u"it finished"_s, {}, u"there is no bwrap"_s};
         QFile file(submissionFileOf(classroom.results(), ran.id));
         QVERIFY(file.open(QIODevice::WriteOnly));
         file.write(writeGradedSubmission(ran, writeAssignment(book(*window).report().assignment)));
@@ -136,8 +120,8 @@ private slots:
         window->openResults(empty.path());
         QTRY_VERIFY_WITH_TIMEOUT(named<QWidget>(*window, "messageBar")->isVisible(), longestWait);
         const QString told = named<QLabel>(*window, "messageText")->text();
-        for (const QString &part : {QStringLiteral("No grades: "), empty.path(),
-                                    QStringLiteral("holds no results"), QStringLiteral("expected")})
+        for (const QString &part :
+             {u"No grades: "_s, empty.path(), u"holds no results"_s, u"expected"_s})
             QVERIFY2(told.contains(part), qPrintable(told));
     }
 
@@ -203,7 +187,7 @@ private slots:
         QCOMPARE(seen("gradingSentences"), named<QWidget>(*window, "gradingSentences")->rect());
         const auto *causes = named<ElidedLabel>(*window, "gradingCauses");
         QCOMPARE(seen("gradingCauses").height(), causes->height());
-        QVERIFY2(causes->shownText().startsWith(QStringLiteral("rounding-truncate")),
+        QVERIFY2(causes->shownText().startsWith(u"rounding-truncate"_s),
                  qPrintable(causes->shownText()));
         QVERIFY(named<QLabel>(*window, "gradingDone")->text().startsWith("Levels are cut"));
         QCOMPARE(seen("gradingDone").height() >= line, size.height() > 700);

@@ -13,9 +13,8 @@
 #include "widgets/studies/cases/hardcasespanel.h"
 #include "widgets/studies/compare/comparepanel.h"
 
-#include <QLabel>
-#include <QPushButton>
 #include <QTest>
+#include <QtWidgets>
 
 namespace tst_hardcasesdock {
 
@@ -49,7 +48,7 @@ private slots:
                 QVERIFY2(m_panel->choose(each.id) || each.kind == HardCaseKind::Invalid,
                          qPrintable(each.id));
         }
-        const QString fallback = whyOf(QStringLiteral("no such family"));
+        const QString fallback = whyOf(u"no such family"_s);
         for (const GalleryCase &each : m_panel->cases()) {
             QVERIFY2(each.why != fallback, qPrintable(each.family));
             QVERIFY2(!each.family.isEmpty() && !each.hardCase.stresses.isEmpty(),
@@ -64,14 +63,14 @@ private slots:
         setArithmetic(Arithmetic::Float32);
         open();
 
-        QVERIFY(m_panel->choose(QStringLiteral("tie_tenths")));
+        QVERIFY(m_panel->choose(u"tie_tenths"_s));
 
         auto *caption = named<QLabel>(*m_window, "hardCaseCaption");
-        QTRY_VERIFY2_WITH_TIMEOUT(caption->text().contains(QStringLiteral("64 missing")),
+        QTRY_VERIFY2_WITH_TIMEOUT(caption->text().contains(u"64 missing"_s),
                                   qPrintable(caption->text()), 20000);
-        QVERIFY(caption->text().contains(QStringLiteral("column-scan float32 closed")));
+        QVERIFY(caption->text().contains(u"column-scan float32 closed"_s));
         const auto words = named<QLabel>(*m_window, "hardCaseWords")->text();
-        QVERIFY2(words.contains(QStringLiteral("the sign of the error decides, not its size")),
+        QVERIFY2(words.contains(u"the sign of the error decides, not its size"_s),
                  qPrintable(words));
     }
 
@@ -79,7 +78,7 @@ private slots:
     {
         setArithmetic(Arithmetic::Float32);
         open();
-        m_panel->choose(QStringLiteral("tie_tenths"));
+        m_panel->choose(u"tie_tenths"_s);
 
         QTest::mouseClick(named<QPushButton>(*m_window, "hardCaseOpen"), Qt::LeftButton);
 
@@ -93,7 +92,7 @@ private slots:
     void tellsWithinThreeClicksWhyFloat64LosesMoreAtTenthsThanFloat32()
     {
         open();
-        m_panel->choose(QStringLiteral("tie_tenths")); // the first click
+        m_panel->choose(u"tie_tenths"_s); // the first click
         auto *compare = named<ComparePanel>(*m_window, "compare");
 
         QTest::mouseClick(named<QPushButton>(*m_window, "hardCaseCompare"),
@@ -110,14 +109,13 @@ private slots:
         QCOMPARE(missing(2), 127);
         m_playhead->pick({20, 2}); // the third click, on a pixel that both lose
         const QString reason = named<QLabel>(*compare, "compareReason")->text();
-        QVERIFY2(reason.contains(QStringLiteral("y_B = 2.0000000000000004 instead of 2")),
-                 qPrintable(reason));
+        QVERIFY2(reason.contains(u"y_B = 2.0000000000000004 instead of 2"_s), qPrintable(reason));
     }
 
     void putsEveryMethodToTheTestOneByOne()
     {
         open();
-        m_panel->choose(QStringLiteral("tip_left_0_0"));
+        m_panel->choose(u"tip_left_0_0"_s);
 
         QTRY_VERIFY_WITH_TIMEOUT(!m_details->verdicts().empty() && !m_details->isChecking(), 60000);
 
@@ -159,11 +157,11 @@ private slots:
         qApp->setPalette(palette);
         setArithmetic(Arithmetic::Float32);
         open();
-        m_panel->choose(QStringLiteral("overshoot_sliver"));
+        m_panel->choose(u"overshoot_sliver"_s);
         QTRY_VERIFY_WITH_TIMEOUT(m_panel->picturesLeft() < int(m_panel->cases().size()) - 12,
                                  30000);
 
-        grabbed(*m_window, QStringLiteral("hardcases"));
+        grabbed(*m_window, u"hardcases"_s);
         // Not hardCasesTree: most of it is pictures of the cases, on backgrounds of their own.
         QTRY_COMPARE(readingFault(*named<QWidget>(*m_window, "hardCaseWords")), QString());
     }

@@ -14,17 +14,8 @@
 #include "widgets/studies/accuracy/motionpanel.h"
 #include "widgets/studies/accuracy/motionview.h"
 
-#include <QFile>
-#include <QJsonDocument>
-#include <QJsonObject>
-#include <QLabel>
-#include <QLineEdit>
-#include <QPushButton>
-#include <QScrollBar>
-#include <QSlider>
-#include <QTableView>
 #include <QTest>
-#include <QToolButton>
+#include <QtWidgets>
 
 namespace tst_motion {
 
@@ -32,10 +23,7 @@ using namespace pixelplumb;
 
 namespace {
 
-Scene movingScene()
-{
-    return readSceneFile(resource(QStringLiteral("/scenes/moving-sliver.json")))->scene;
-}
+Scene movingScene() { return readSceneFile(resource(u"/scenes/moving-sliver.json"_s))->scene; }
 
 Scene exactly(Scene scene)
 {
@@ -73,9 +61,8 @@ private slots:
             if (entry.hardCase.kind != HardCaseKind::Sequence)
                 continue;
             for (const auto &[rule, facts] : entry.hardCase.facts) {
-                const Method &method
-                    = *methodNamed(rule == FillRule::TopLeft ? QStringLiteral("edge-equations")
-                                                             : QStringLiteral("column-scan"));
+                const Method &method = *methodNamed(rule == FillRule::TopLeft ? u"edge-equations"_s
+                                                                              : u"column-scan"_s);
                 if (!method.supports(rule) || !facts.toggles)
                     continue;
                 ScanSettings settings;
@@ -133,41 +120,39 @@ private slots:
                                        "\"height\": 8 }, \"motion\": ")
                             + wrong + ", \"primitives\": [] }");
             QVERIFY2(!reading, wrong);
-            QVERIFY2(reading.error().place.startsWith(QStringLiteral("motion"))
-                         || reading.error().place.contains(QStringLiteral("motion")),
+            QVERIFY2(reading.error().place.startsWith(u"motion"_s)
+                         || reading.error().place.contains(u"motion"_s),
                      qPrintable(reading.error().place));
         }
     }
 
     void theCommandTellsEveryFrame()
     {
-        const QString file = sceneFile(QStringLiteral("moving-sliver.json"));
+        const QString file = sceneFile(u"moving-sliver.json"_s);
         const MotionStudy study = *studyMotion(movingScene());
-        const ProgramRun result = run({QStringLiteral("motion"), file});
+        const ProgramRun result = run({u"motion"_s, file});
         QCOMPARE(result.exitCode, study.toggled() == study.truthToggled() ? 0 : 1);
         QCOMPARE(result.output.count('\n'), qsizetype(study.frames.size()) + 2);
-        const ProgramRun json = run({QStringLiteral("motion"), file, QStringLiteral("--json"),
-                                     QStringLiteral("--arithmetic"), QStringLiteral("exact")});
+        const ProgramRun json
+            = run({u"motion"_s, file, u"--json"_s, u"--arithmetic"_s, u"exact"_s});
         QCOMPARE(json.exitCode, 0);
-        QCOMPARE(QJsonDocument::fromJson(json.output)[QStringLiteral("toggled")].toInteger(),
+        QCOMPARE(QJsonDocument::fromJson(json.output)[u"toggled"_s].toInteger(),
                  study.truthToggled());
     }
 
     void oneFrameIsDrawnAndNoOther()
     {
-        const QString file = sceneFile(QStringLiteral("moving-sliver.json"));
-        const QStringList draw = {QStringLiteral("render"), file, QStringLiteral("--ascii"),
-                                  QStringLiteral("--frame")};
+        const QString file = sceneFile(u"moving-sliver.json"_s);
+        const QStringList draw = {u"render"_s, file, u"--ascii"_s, u"--frame"_s};
         const MotionStudy study = *studyMotion(movingScene());
         for (const int frame : {0, 7, 24}) {
             const ProgramRun result = run(draw + QStringList{QString::number(frame)});
             QCOMPARE(result.exitCode, 0);
             QCOMPARE(result.output.count('#'), study.frames[std::size_t(frame)].drawn);
         }
-        QCOMPARE(run(draw + QStringList{QStringLiteral("25")}).exitCode, 2);
+        QCOMPARE(run(draw + QStringList{u"25"_s}).exitCode, 2);
         const ProgramRun still
-            = run({QStringLiteral("render"), sceneFile(QStringLiteral("default.json")),
-                   QStringLiteral("--ascii"), QStringLiteral("--frame"), QStringLiteral("1")});
+            = run({u"render"_s, sceneFile(u"default.json"_s), u"--ascii"_s, u"--frame"_s, u"1"_s});
         QCOMPARE(still.exitCode, 2);
         QVERIFY2(still.messages.contains("does not move"), still.messages.constData());
     }
@@ -273,7 +258,7 @@ private slots:
         QCOMPARE(document.atCurrentFrame(document.vertexAt({0, 0})->position),
                  latticePixel(12, 14));
         QCOMPARE(canvas.spokenState(),
-                 QStringLiteral("vertex 0 of triangle 0 at (12, 14), frame 8 of 24 of the motion"));
+                 u"vertex 0 of triangle 0 at (12, 14), frame 8 of 24 of the motion"_s);
     }
 
     void aSceneThatIsOpenedBeginsAtItsFirstFrame()
@@ -350,11 +335,11 @@ private slots:
         SceneDocument &document = *window->parts().document;
         action(*window, "motionDockToggle")->trigger();
         auto *x = named<QLineEdit>(*window, "motionX");
-        x->setText(QStringLiteral("much"));
+        x->setText(u"much"_s);
         QTest::mouseClick(named<QPushButton>(*window, "motionSet"), Qt::LeftButton);
         QVERIFY(!document.scene().motion);
-        QVERIFY(named<QLabel>(*window, "motionSummary")->text().contains(QStringLiteral("much")));
-        x->setText(QStringLiteral("1/2"));
+        QVERIFY(named<QLabel>(*window, "motionSummary")->text().contains(u"much"_s));
+        x->setText(u"1/2"_s);
         QTest::mouseClick(named<QPushButton>(*window, "motionSet"), Qt::LeftButton);
         QCOMPARE(document.scene().motion, std::optional(Motion{{128, 512}, 33}));
         QVERIFY(document.isModified());

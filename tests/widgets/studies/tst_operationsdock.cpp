@@ -6,10 +6,8 @@
 #include "widgets/model/playhead.h"
 #include "widgets/studies/cost/operationpanel.h"
 
-#include <QLabel>
-#include <QSignalSpy>
-#include <QTableView>
-#include <QTest>
+#include <QtTest>
+#include <QtWidgets>
 
 namespace tst_operationsdock {
 
@@ -46,17 +44,17 @@ private slots:
         panel.show();
         QVERIFY(spy.wait(longest));
         QCOMPARE(panel.counts()->primitives, std::int64_t(1));
-        QCOMPARE(table->headerData(0, Qt::Vertical).toString(), QStringLiteral("divisions"));
+        QCOMPARE(table->headerData(0, Qt::Vertical).toString(), u"divisions"_s);
         QCOMPARE(table->index(0, 0).data().toString(),
-                 QStringLiteral("12")); // 3 slopes, 9 colour rates
-        QCOMPARE(table->index(0, 2).data().toString(), QStringLiteral("0"));
+                 u"12"_s); // 3 slopes, 9 colour rates
+        QCOMPARE(table->index(0, 2).data().toString(), u"0"_s);
         QVERIFY(panel.counts()->of(WorkStage::Pixel, Operation::FloatAddition) > 0);
 
         playhead.setTraced(traceScene(sceneIn(Arithmetic::Exact)));
         QVERIFY(spy.wait(longest));
         QCOMPARE(panel.counts()->of(WorkStage::Pixel, Operation::FloatAddition), std::int64_t(0));
         const QString summary = named<QLabel>(panel, "operationSummary")->text();
-        QVERIFY2(summary.contains(QStringLiteral("exact")), qPrintable(summary));
+        QVERIFY2(summary.contains(u"exact"_s), qPrintable(summary));
     }
 
     void saysWhyACurveIsNotCounted()
@@ -71,9 +69,7 @@ private slots:
         curve.vertices = {{{256, 256}, {}}, {{1500, 3000}, {}}, {{3500, 300}, {}}};
         scene.shapes = {curve};
         playhead.setTraced(traceScene(scene));
-        QVERIFY(named<QLabel>(panel, "operationSummary")
-                    ->text()
-                    .startsWith(QStringLiteral("Not counted: ")));
+        QVERIFY(named<QLabel>(panel, "operationSummary")->text().startsWith(u"Not counted: "_s));
         QCOMPARE(named<QTableView>(panel, "operationTable")->model()->rowCount(), 0);
     }
 };

@@ -7,10 +7,8 @@
 #include "widgets/model/playhead.h"
 #include "widgets/studies/cost/performancepanel.h"
 
-#include <QLabel>
-#include <QPushButton>
-#include <QSignalSpy>
-#include <QTest>
+#include <QtTest>
+#include <QtWidgets>
 
 namespace tst_performancedock {
 
@@ -61,7 +59,7 @@ private slots:
         QVERIFY(panel.timing()->sameBytes);
         QVERIFY(panel.timing()->rounds > 0);
         const QString routes = named<QLabel>(panel, "performanceRoutes")->text();
-        QVERIFY2(routes.contains(QStringLiteral("strips of ")), qPrintable(routes));
+        QVERIFY2(routes.contains(u"strips of "_s), qPrintable(routes));
 
         playhead.setTraced(traceScene(sceneOf({triangleAt(3, 4, 50, 20, 6, 110)})));
         QVERIFY(!panel.timing());

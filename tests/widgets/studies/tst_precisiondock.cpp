@@ -8,9 +8,8 @@
 #include "widgets/studies/accuracy/precisionpanel.h"
 #include "widgets/studies/accuracy/precisionplot.h"
 
-#include <QLabel>
 #include <QTest>
-#include <QToolButton>
+#include <QtWidgets>
 
 #include <cmath>
 #include <set>
@@ -26,7 +25,7 @@ private slots:
     void init()
     {
         m_settings.clear();
-        m_window = openedWindow(QStringLiteral("ties-at-tenths.json"));
+        m_window = openedWindow(u"ties-at-tenths.json"_s);
         m_panel = named<PrecisionPanel>(*m_window, "precision");
         m_playhead = m_window->parts().playhead;
     }
@@ -49,7 +48,7 @@ private slots:
         }
         bool hasZero = false;
         for (const PrecisionScale::Tick &tick : scale.ticks(4))
-            hasZero = hasZero || (tick.axis == 0 && tick.label == QStringLiteral("0"));
+            hasZero = hasZero || (tick.axis == 0 && tick.label == u"0"_s);
         QVERIFY(hasZero);
     }
 
@@ -114,7 +113,7 @@ private slots:
 
         QCOMPARE(m_panel->plot()->curveCount(), 4);
         const QString summary = named<QLabel>(*m_panel, "precisionSummary")->text();
-        QVERIFY2(summary.contains(QStringLiteral("float32: at most")), qPrintable(summary));
+        QVERIFY2(summary.contains(u"float32: at most"_s), qPrintable(summary));
         QVERIFY(m_window->parts().canvas->isVisible());
 
         QTest::mouseClick(named<QToolButton>(*m_panel, "precision_fixed16.16"), Qt::LeftButton);
@@ -141,7 +140,7 @@ private slots:
         qApp->setPalette(palette);
         open();
 
-        grabbed(*m_window, QStringLiteral("precision"));
+        grabbed(*m_window, u"precision"_s);
         QTRY_COMPARE(readingFault(*m_panel->plot()), QString());
         QTRY_COMPARE(readingFault(*m_panel), QString());
     }

@@ -34,40 +34,40 @@ private slots:
 
     void overdrawIsNotTold()
     {
-        openPredict(QStringLiteral("default.json"));
+        openPredict(u"default.json"_s);
         action(*m_window, "showOverdraw")->trigger();
         auto *overlay = named<OverdrawOverlay>(*m_window, "overdrawMap");
-        QCOMPARE(overlay->summary(), QStringLiteral("Overdraw is hidden while Predict asks"));
+        QCOMPARE(overlay->summary(), u"Overdraw is hidden while Predict asks"_s);
         const QImage hidden = overlay->grab().toImage();
         togglePredict();
-        QVERIFY(!overlay->summary().contains(QStringLiteral("hidden")));
+        QVERIFY(!overlay->summary().contains(u"hidden"_s));
         QVERIFY(overlay->grab().toImage() != hidden);
     }
 
     void theCopyOfAPixelEndsAtTheCurrentStep()
     {
-        openPredict(QStringLiteral("default.json"));
+        openPredict(u"default.json"_s);
         const auto copied = [this](const QPoint &pixel) {
             playhead().pick(pixel);
             action(*m_window, "copyPixel")->trigger();
             return QGuiApplication::clipboard()->text();
         };
-        QVERIFY(copied(past).contains(QStringLiteral("triangle 0: ")));
-        QVERIFY(!copied(ahead).contains(QStringLiteral("triangle 0")));
+        QVERIFY(copied(past).contains(u"triangle 0: "_s));
+        QVERIFY(!copied(ahead).contains(u"triangle 0"_s));
         togglePredict();
-        QVERIFY(copied(ahead).contains(QStringLiteral("triangle 0: ")));
+        QVERIFY(copied(ahead).contains(u"triangle 0: "_s));
     }
 
     void theFigureOfTheMomentHasNeitherTruthNorLayersOfWhatIsAhead()
     {
-        openPredict(QStringLiteral("default.json"));
+        openPredict(u"default.json"_s);
         DisplayOptions &options = *m_window->parts().options;
         const auto figure = [&] { return svgFigure(playhead(), options); };
         const QByteArray plain = figure();
         options.setTruthShown(true);
         QCOMPARE(figure(), plain);
         options.setTruthShown(false);
-        options.setLayers({QStringLiteral("isolines-red")});
+        options.setLayers({u"isolines-red"_s});
         QVERIFY(figure().contains("levels are still ahead"));
         const qsizetype paths = figure().count("<path");
         togglePredict();

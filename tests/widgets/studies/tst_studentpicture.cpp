@@ -16,17 +16,8 @@
 #include "widgets/studies/compare/comparepanel.h"
 #include "widgets/studies/grade/diagnosisview.h"
 
-#include <QApplication>
-#include <QClipboard>
-#include <QComboBox>
-#include <QDockWidget>
-#include <QLabel>
-#include <QListWidget>
-#include <QPushButton>
-#include <QScrollArea>
-#include <QTemporaryDir>
 #include <QTest>
-#include <QToolButton>
+#include <QtWidgets>
 
 namespace tst_studentpicture {
 
@@ -95,7 +86,7 @@ std::unique_ptr<MainWindow> windowWithDefect(const char *id)
     scene.frame.height = 24;
     for (Vertex &vertex : scene.triangles[0].vertices)
         vertex.position = {vertex.position.x / 2, vertex.position.y / 2};
-    window->parts().document->setScene(scene, QStringLiteral("small"));
+    window->parts().document->setScene(scene, u"small"_s);
     window->parts().document->markSaved();
     QApplication::clipboard()->setImage(imageOf(pictureWith(scene, defectIn(scene, id))));
     action(*window, "pasteStudentPicture")->trigger();
@@ -283,7 +274,7 @@ private slots:
         const QRgb first = image.pixel(0, 0);
         image.setPixel(0, 0, qRgba(qRed(first), qGreen(first), qBlue(first), alpha));
         for (const char *way : {"pasted", "dropped"}) {
-            if (way == QLatin1String("pasted")) {
+            if (way == "pasted"_L1) {
                 window->parts().student->paste(image, "pasted");
             } else {
                 const QString path = m_folder.filePath("transparent.png");
@@ -372,7 +363,7 @@ private slots:
     void aDroppedSceneIsOpened()
     {
         const auto window = openedWindow();
-        dropFile(*window, resource(QStringLiteral("/scenes/ties-at-tenths.json")));
+        dropFile(*window, resource(u"/scenes/ties-at-tenths.json"_s));
         QTRY_VERIFY(window->windowTitle().startsWith("ties-at-tenths.json"));
         QVERIFY(!window->parts().student->isThere());
     }
@@ -469,7 +460,7 @@ private slots:
         QVERIFY(!figures->text().contains("correct"));
 
         QTest::mouseClick(named<QToolButton>(*window, "submissionRemove"), Qt::LeftButton);
-        QTRY_COMPARE(figures->text(), QStringLiteral("When finished: all pixels correct"));
+        QTRY_COMPARE(figures->text(), u"When finished: all pixels correct"_s);
     }
 
     void theBugIsNamedInWordsForBothUntilTheSceneChanges()

@@ -29,8 +29,7 @@ private slots:
 
     void everyMethodCanBeSteppedInTheWindow()
     {
-        const Scene &mixed
-            = std::ranges::find(m_scenes, QStringLiteral("mixed"), &NamedScene::first)->second;
+        const Scene &mixed = std::ranges::find(m_scenes, u"mixed"_s, &NamedScene::first)->second;
         const auto window = openedWindow(mixed);
         std::size_t turn = 0;
         constexpr std::size_t share = isSanitized ? 3 : 1;
@@ -73,7 +72,7 @@ private:
         settings.arithmetic = method.arithmetics[turn % method.arithmetics.size()];
         document.setSettings(settings);
         if (!waitForRun(window))
-            return method.id + QStringLiteral(": no run");
+            return method.id + u": no run"_s;
         const QString fault = faultInSteps(window);
         window.grab(); // painting must not fail
         return fault;

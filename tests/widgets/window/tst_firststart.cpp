@@ -5,11 +5,8 @@
 #include "widgets/canvas/canvas.h"
 #include "widgets/look/messagebar.h"
 
-#include <QAction>
-#include <QHeaderView>
-#include <QScrollBar>
-#include <QTableView>
 #include <QTest>
+#include <QtWidgets>
 
 #include <memory>
 
@@ -33,10 +30,10 @@ private slots:
     {
         QTRY_COMPARE(table().horizontalScrollBar()->maximum(), 0);
         const int rowHeight = table().verticalHeader()->defaultSectionSize();
-        QTRY_VERIFY2(table().viewport()->height() >= 8 * rowHeight,
-                     qPrintable(QStringLiteral("%1 px for rows of %2 px")
-                                    .arg(table().viewport()->height())
-                                    .arg(rowHeight)));
+        QTRY_VERIFY2(
+            table().viewport()->height() >= 8 * rowHeight,
+            qPrintable(
+                u"%1 px for rows of %2 px"_s.arg(table().viewport()->height()).arg(rowHeight)));
         for (const char *title : {"x", "y_B", "y_T", "⌈y_B⌉", "⌊y_T⌋", "px", "ΔR", "ΔG", "ΔB",
                                   "first R", "first G", "first B"})
             QVERIFY2(shownTitles().contains(QString::fromUtf8(title)), title);
@@ -48,15 +45,15 @@ private slots:
         QTRY_COMPARE(table().horizontalScrollBar()->maximum(), 0);
         QTRY_VERIFY(table().viewport()->height()
                     >= 4 * table().verticalHeader()->defaultSectionSize());
-        QVERIFY(shownTitles().contains(QStringLiteral("first B")));
+        QVERIFY(shownTitles().contains(u"first B"_s));
         QTRY_VERIFY(2 * m_window->parts().canvas->width() >= m_window->width() - 16);
     }
 
     void theLevelsAtTheEdgesAreOneClickAway()
     {
-        QVERIFY(!shownTitles().contains(QStringLiteral("R_B")));
+        QVERIFY(!shownTitles().contains(u"R_B"_s));
         named<QAction>(*m_window, "showEdgeColours")->trigger();
-        QVERIFY(shownTitles().contains(QStringLiteral("R_B")));
+        QVERIFY(shownTitles().contains(u"R_B"_s));
     }
 
     void theCanvasHasHalfOfTheWidth()

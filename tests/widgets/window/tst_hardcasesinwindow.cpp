@@ -37,7 +37,7 @@ std::vector<NamedScene> casesToOpen()
     const std::vector<NamedScene> details = hardCaseDetails();
     for (std::size_t i = 0; i < cases.size(); ++i) {
         if (visitsOf(cases[i].second) > mostVisits)
-            cases[i] = {details[i].first + QStringLiteral(", detail"), details[i].second};
+            cases[i] = {details[i].first + u", detail"_s, details[i].second};
     }
     return cases;
 }

@@ -7,10 +7,8 @@
 #include "widgets/model/playhead.h"
 #include "widgets/model/scenedocument.h"
 
-#include <QApplication>
-#include <QComboBox>
-#include <QLabel>
 #include <QTest>
+#include <QtWidgets>
 
 #include <random>
 

@@ -9,13 +9,8 @@
 #include "widgets/model/runnotes.h"
 #include "widgets/model/scenedocument.h"
 
-#include <QAbstractItemView>
-#include <QAction>
-#include <QComboBox>
-#include <QDockWidget>
-#include <QLabel>
-#include <QMenu>
 #include <QTest>
+#include <QtWidgets>
 
 namespace tst_methodboxes {
 
@@ -52,16 +47,15 @@ QString disagreementIn(const MainWindow &window)
     const TracedScene &traced = *window.parts().playhead->traced();
     const QString drawn = textOf(traced.method->id, traced.scene.settings);
     const QString status = named<QLabel>(window, "statusSettings")->text();
-    const QString begin = textOf(nameOf(traced.scene.settings.arithmetic)) + QStringLiteral(" · ")
-        + textOf(nameOf(traced.scene.settings.fillRule)) + QStringLiteral(" · ");
+    const QString begin = textOf(nameOf(traced.scene.settings.arithmetic)) + u" · "_s
+        + textOf(nameOf(traced.scene.settings.fillRule)) + u" · "_s;
     const QStringList texts
         = {boxesOf(window), textOf(QString::fromStdString(scene.method), scene.settings)};
     for (const QString &text : texts) {
         if (text != drawn)
-            return QStringLiteral("drawn is %1, said is %2").arg(drawn, text);
+            return u"drawn is %1, said is %2"_s.arg(drawn, text);
     }
-    return status.startsWith(begin) ? QString()
-                                    : QStringLiteral("drawn is %1, status %2").arg(drawn, status);
+    return status.startsWith(begin) ? QString() : u"drawn is %1, status %2"_s.arg(drawn, status);
 }
 
 } // namespace
@@ -231,8 +225,7 @@ private slots:
         const auto *const box = named<QAction>(*window, "variant-rounded-box");
         QVERIFY(late->isEnabled() && late->isCheckable() && !late->isChecked());
         QVERIFY(!box->isEnabled());
-        QVERIFY2(box->toolTip().contains(QStringLiteral("“Edge equations”")),
-                 qPrintable(box->toolTip()));
+        QVERIFY2(box->toolTip().contains(u"“Edge equations”"_s), qPrintable(box->toolTip()));
 
         late->trigger();
         QVERIFY(late->isChecked());
@@ -245,7 +238,7 @@ private slots:
         QVERIFY(document.scene().settings.variants.isEmpty());
         QVERIFY(!late->isEnabled() && !late->isChecked() && box->isEnabled());
         const QString note = window->parts().messageBar->text();
-        QVERIFY2(note.contains(QStringLiteral("no-colour-pre-step")), qPrintable(note));
+        QVERIFY2(note.contains(u"no-colour-pre-step"_s), qPrintable(note));
 
         document.undoStack()->undo();
         QVERIFY(late->isChecked());

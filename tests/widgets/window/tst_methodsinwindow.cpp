@@ -14,12 +14,8 @@
 #include "widgets/model/playhead.h"
 #include "widgets/model/scenedocument.h"
 
-#include <QAction>
-#include <QApplication>
-#include <QComboBox>
-#include <QDockWidget>
-#include <QLabel>
 #include <QTest>
+#include <QtWidgets>
 
 namespace tst_methodsinwindow {
 
@@ -32,7 +28,7 @@ void choose(MainWindow &window, const QString &method)
 {
     auto *box = named<QComboBox>(window, "methodBox");
     const int row = box->findData(method);
-    QVERIFY2(row >= 0, qPrintable(method + QStringLiteral(" is not in the box")));
+    QVERIFY2(row >= 0, qPrintable(method + u" is not in the box"_s));
     box->setCurrentIndex(row);
     emit box->activated(row);
 }
@@ -70,12 +66,12 @@ private slots:
     {
         const auto window = openedWindow();
         const auto *dock = named<QDockWidget>(*window, "columnsDock");
-        QCOMPARE(dock->windowTitle(), QStringLiteral("Columns"));
-        choose(*window, QStringLiteral("row-walk"));
-        QCOMPARE(dock->windowTitle(), QStringLiteral("Rows"));
-        QCOMPARE(named<QAction>(*window, "columnsDockToggle")->text(), QStringLiteral("Rows"));
-        choose(*window, QStringLiteral("column-scan"));
-        QCOMPARE(dock->windowTitle(), QStringLiteral("Columns"));
+        QCOMPARE(dock->windowTitle(), u"Columns"_s);
+        choose(*window, u"row-walk"_s);
+        QCOMPARE(dock->windowTitle(), u"Rows"_s);
+        QCOMPARE(named<QAction>(*window, "columnsDockToggle")->text(), u"Rows"_s);
+        choose(*window, u"column-scan"_s);
+        QCOMPARE(dock->windowTitle(), u"Columns"_s);
     }
 
     void aTriangleIsChangedThoughNoneOfItsVerticesIsSelected()
@@ -91,7 +87,7 @@ private slots:
     void twoClicksDrawALineByBresenham()
     {
         const auto window = openedWindow(Scene());
-        choose(*window, QStringLiteral("line-bresenham"));
+        choose(*window, u"line-bresenham"_s);
         clickPixel(*window, {20, 41});
         clickPixel(*window, {30, 44});
 
@@ -111,7 +107,7 @@ private slots:
     void aPolygonIsClosedByAClickOnItsFirstCorner()
     {
         const auto window = openedWindow(Scene());
-        choose(*window, QStringLiteral("polygon-parity"));
+        choose(*window, u"polygon-parity"_s);
         for (const QPoint &corner :
              {QPoint(10, 10), QPoint(50, 12), QPoint(40, 40), QPoint(30, 20), QPoint(12, 38)})
             clickPixel(*window, corner);
@@ -130,7 +126,7 @@ private slots:
     void aCircleStaysRoundWhenItsCornerIsDragged()
     {
         const auto window = openedWindow(Scene());
-        choose(*window, QStringLiteral("circle-midpoint"));
+        choose(*window, u"circle-midpoint"_s);
         clickPixel(*window, {32, 24});
         clickPixel(*window, {40, 30});
         SceneDocument &document = *window->parts().document;
@@ -152,15 +148,15 @@ private slots:
         scene.settings.fillRule = FillRule::HalfOpenColumn;
         const auto window = openedWindow(scene);
         const QRect canvas = window->parts().canvas->geometry();
-        choose(*window, QStringLiteral("row-walk"));
+        choose(*window, u"row-walk"_s);
 
         const MessageBar &bar = *window->parts().messageBar;
         QVERIFY(bar.isVisible());
-        QCOMPARE(named<QLabel>(bar, "messageKind")->text(), QStringLiteral("Note"));
+        QCOMPARE(named<QLabel>(bar, "messageKind")->text(), u"Note"_s);
         QVERIFY2(bar.text().startsWith(methodNamed(u"row-walk")->title), qPrintable(bar.text()));
         QVERIFY2(!bar.text().contains("row-walk"), qPrintable(bar.text()));
         QCOMPARE(window->parts().canvas->geometry(), canvas);
-        choose(*window, QStringLiteral("barycentric-all"));
+        choose(*window, u"barycentric-all"_s);
         QVERIFY(!bar.isVisible());
         window->parts().document->undoStack()->undo();
         const Scene &drawn = window->parts().document->scene();
@@ -212,7 +208,7 @@ private slots:
 
         const MessageBar &bar = *window->parts().messageBar;
         QVERIFY(bar.isVisible());
-        QCOMPARE(bar.text(), QStringLiteral("Line 0: ") + reason);
+        QCOMPARE(bar.text(), u"Line 0: "_s + reason);
         window->parts().playhead->pick({5, 4});
         const QString said = named<QLabel>(*window, "pixelHistoryReason")->text();
         QVERIFY2(said.startsWith("Missing") && said.endsWith(typesetHtml(reason)),
@@ -234,9 +230,8 @@ private slots:
         QVERIFY(playhead.currentPlace()->axis == SpanAxis::Row);
         // The edge walk goes down from the top.
         QCOMPARE(playhead.currentPlace()->coordinate, std::int64_t(44));
-        QCOMPARE(action(*window, "nextColumn")->iconText(), QStringLiteral("row"));
-        QCOMPARE(named<QLabel>(*window, "statusColumn")->text(),
-                 QStringLiteral("row 44, first trapezoid"));
+        QCOMPARE(action(*window, "nextColumn")->iconText(), u"row"_s);
+        QCOMPARE(named<QLabel>(*window, "statusColumn")->text(), u"row 44, first trapezoid"_s);
     }
 
     void theTableAgreesWithTheExportUnderEveryMethod_data()

@@ -12,13 +12,8 @@
 #include "widgets/window/mainwindow.h"
 #include "widgets/window/panels.h"
 
-#include <QAbstractItemView>
-#include <QAccessible>
-#include <QComboBox>
-#include <QDockWidget>
-#include <QMenu>
-#include <QMenuBar>
 #include <QTest>
+#include <QtWidgets>
 
 namespace tst_objectnames {
 
@@ -31,8 +26,8 @@ QString scopeOf(const QAction &action)
 {
     return action.shortcutContext() == Qt::WindowShortcut
             || action.shortcutContext() == Qt::ApplicationShortcut
-        ? QStringLiteral("window")
-        : QStringLiteral("canvas");
+        ? u"window"_s
+        : u"canvas"_s;
 }
 
 } // namespace
@@ -75,7 +70,7 @@ private slots:
 
     void theManPageNamesEveryPanel()
     {
-        const QString page = textInTree(QStringLiteral("resources/man/pixelplumb.1")).simplified();
+        const QString page = textInTree(u"resources/man/pixelplumb.1"_s).simplified();
         for (const Panel &panel : panels())
             QVERIFY2(page.contains(QLatin1String(panel.title)), panel.title);
         for (const char *key : {"Alt+1", "Alt+9", "Alt+0"})
@@ -170,7 +165,7 @@ private slots:
         for (const QAction *action : m_window->menuBar()->actions())
             menus += action->menu();
         const QString sheet = keySheetHtml(menus);
-        QVERIFY(sheet.contains(QStringLiteral("after %1 s").arg(double(peekDelay.count()) / 1000)));
+        QVERIFY(sheet.contains(u"after %1 s"_s.arg(double(peekDelay.count()) / 1000)));
         for (const QAction *action : menuActions()) {
             for (const QKeySequence &key : action->shortcuts())
                 QVERIFY2(sheet.contains(key.toString(QKeySequence::NativeText).toHtmlEscaped()),

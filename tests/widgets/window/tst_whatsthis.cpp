@@ -7,16 +7,8 @@
 #include "widgets/model/scenedocument.h"
 #include "widgets/window/panels.h"
 
-#include <QAbstractButton>
-#include <QAbstractSlider>
-#include <QAbstractSpinBox>
-#include <QApplication>
-#include <QComboBox>
-#include <QDockWidget>
-#include <QMenuBar>
 #include <QTest>
-#include <QToolBar>
-#include <QWhatsThis>
+#include <QtWidgets>
 
 #include <algorithm>
 
@@ -38,7 +30,7 @@ QWidget *shownText()
 
 qsizetype sentencesIn(const QString &text)
 {
-    return text.count(QStringLiteral(". ")) + (text.endsWith(u'.') ? 1 : 0);
+    return text.count(u". "_s) + (text.endsWith(u'.') ? 1 : 0);
 }
 
 QStringList explainedParts(const MainWindow &window)
@@ -151,13 +143,12 @@ private slots:
     {
         const auto window = openedWindow();
         QCOMPARE(named<QWidget>(*window, "playButton")->whatsThis(),
-                 QStringLiteral("Play by the chosen unit (Space)"));
+                 u"Play by the chosen unit (Space)"_s);
         window->parts().document->setMethod("edge-equations");
         action(*window, "whatsThis")->trigger();
         QCOMPARE(named<QWidget>(*window, "playButton")->whatsThis(),
-                 QStringLiteral("Play by the chosen unit (Space)"));
-        QCOMPARE(action(*window, "play")->whatsThis(),
-                 QStringLiteral("Play by the chosen unit (Space)"));
+                 u"Play by the chosen unit (Space)"_s);
+        QCOMPARE(action(*window, "play")->whatsThis(), u"Play by the chosen unit (Space)"_s);
         QVERIFY(action(*window, "zoomIn")->whatsThis().isEmpty()); // the menu has its text
         QCOMPARE(action(*window, "gradingDockToggle")->whatsThis(),
                  named<QDockWidget>(*window, "gradingDock")->whatsThis());

@@ -10,19 +10,8 @@
 #include "widgets/model/playhead.h"
 #include "widgets/model/scenedocument.h"
 
-#include <QAbstractItemView>
-#include <QAbstractTextDocumentLayout>
-#include <QApplication>
-#include <QClipboard>
-#include <QComboBox>
-#include <QDockWidget>
-#include <QLabel>
-#include <QMenu>
-#include <QScrollBar>
 #include <QTest>
-#include <QTextBlock>
-#include <QTextBrowser>
-#include <QWindow>
+#include <QtWidgets>
 
 namespace tst_windowhabits {
 
@@ -43,8 +32,8 @@ bool isMarkOutOfView(const QTextBrowser &text, int &marks)
     const int top = text.verticalScrollBar()->value();
     const auto &document = *text.document();
     bool isOut = false;
-    for (QTextCursor mark = document.find(QStringLiteral("▶")); !mark.isNull();
-         mark = document.find(QStringLiteral("▶"), mark)) {
+    for (QTextCursor mark = document.find(u"▶"_s); !mark.isNull();
+         mark = document.find(u"▶"_s, mark)) {
         const QRectF line = document.documentLayout()->blockBoundingRect(mark.block());
         isOut = isOut || line.top() < top || line.bottom() > top + text.viewport()->height();
         ++marks;
@@ -110,7 +99,7 @@ private slots:
         scene.appearance.antialiasing = Antialiasing::Area;
         const auto window = openedWindow(scene);
         auto *methods = named<QComboBox>(*window, "methodBox");
-        const int bresenham = methods->findData(QStringLiteral("line-bresenham"));
+        const int bresenham = methods->findData(u"line-bresenham"_s);
         QVERIFY(bresenham >= 0);
         methods->setFocus();
         methods->showPopup();
@@ -124,7 +113,7 @@ private slots:
         QTRY_VERIFY(bar->isVisible());
         QTest::qWait(50);
         QVERIFY(bar->isVisible());
-        QVERIFY2(bar->text().contains(QStringLiteral("antialiasing")), qPrintable(bar->text()));
+        QVERIFY2(bar->text().contains(u"antialiasing"_s), qPrintable(bar->text()));
         QTest::keyClick(window->parts().canvas, Qt::Key_Right);
         QVERIFY(!bar->isVisible());
     }
@@ -151,15 +140,14 @@ private slots:
         clickPixel(*window, {22, 18});
         action(*window, "inspectTool")->trigger();
         clickPixel(*window, {22, 18});
-        QVERIFY(field->text().startsWith(QStringLiteral("pixel (22, 18)")));
+        QVERIFY(field->text().startsWith(u"pixel (22, 18)"_s));
         Canvas *canvas = window->parts().canvas;
         QTest::keyClick(canvas, Qt::Key_Left);
         QTest::keyClick(canvas, Qt::Key_Left);
         QTest::keyClick(canvas, Qt::Key_Up);
 
         QCOMPARE(window->parts().playhead->pickedPixel(), std::optional(QPoint(20, 19)));
-        QVERIFY2(field->text().startsWith(QStringLiteral("pixel (20, 19)")),
-                 qPrintable(field->text()));
+        QVERIFY2(field->text().startsWith(u"pixel (20, 19)"_s), qPrintable(field->text()));
     }
 
     void theLinesOfTheCurrentMethodAreInView()
@@ -265,7 +253,7 @@ private slots:
         Canvas &canvas = *window->parts().canvas;
         MessageBar &bar = *window->parts().messageBar;
         canvas.setTool(CanvasTool::Draw);
-        bar.complain(QStringLiteral("It lies over the canvas, and is as wide as this."));
+        bar.complain(u"It lies over the canvas, and is as wide as this."_s);
         const QPoint onBar = bar.geometry().center();
         const std::optional<QPoint> pixel = canvas.pixelAt(onBar);
         QVERIFY(pixel);
@@ -277,7 +265,7 @@ private slots:
                  latticePixel(pixel->x(), pixel->y()));
         QVERIFY(!bar.isVisible());
 
-        bar.complain(QStringLiteral("Its own button is its own."));
+        bar.complain(u"Its own button is its own."_s);
         auto *close = named<QWidget>(*window, "closeMessage");
         QTest::mouseClick(window->windowHandle(), Qt::LeftButton, {},
                           close->mapTo(window.get(), close->rect().center()));
@@ -298,7 +286,7 @@ private slots:
         QFETCH(int, key);
         const auto window = openedWindow();
         MessageBar &bar = *window->parts().messageBar;
-        bar.complain(QStringLiteral("“abc” is no coordinate."));
+        bar.complain(u"“abc” is no coordinate."_s);
         QCoreApplication::processEvents(); // the key that caused it is processed
         QTest::keyClick(window->parts().canvas, Qt::Key_Shift);
         QVERIFY(bar.isVisible());
@@ -310,13 +298,13 @@ private slots:
     {
         const auto window = openedWindow();
         MessageBar &bar = *window->parts().messageBar;
-        bar.complain(QStringLiteral("“abc” is no coordinate."));
+        bar.complain(u"“abc” is no coordinate."_s);
         QCoreApplication::processEvents(); // the key that caused it is processed
         QTest::keyClick(window->parts().canvas, Qt::Key_Escape);
         QVERIFY(!bar.isVisible());
 
         action(*window, "copyNote")->trigger();
-        QCOMPARE(QGuiApplication::clipboard()->text(), QStringLiteral("“abc” is no coordinate."));
+        QCOMPARE(QGuiApplication::clipboard()->text(), u"“abc” is no coordinate."_s);
     }
 
     void aNewDocumentIsRightAndSeenWhole()

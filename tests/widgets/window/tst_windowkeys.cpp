@@ -9,11 +9,8 @@
 #include "widgets/model/playhead.h"
 #include "widgets/window/menus.h"
 
-#include <QAbstractButton>
-#include <QAbstractSpinBox>
-#include <QComboBox>
-#include <QDockWidget>
 #include <QTest>
+#include <QtWidgets>
 
 namespace tst_windowkeys {
 

@@ -14,23 +14,8 @@
 #include "widgets/studies/compare/comparepanel.h"
 #include "widgets/studies/compare/compareview.h"
 
-#include <QApplication>
-#include <QComboBox>
-#include <QDockWidget>
-#include <QLabel>
-#include <QMenu>
-#include <QMenuBar>
-#include <QPushButton>
-#include <QScreen>
-#include <QScrollBar>
-#include <QStatusBar>
-#include <QTableView>
 #include <QTest>
-#include <QTextBrowser>
-#include <QTimer>
-#include <QToolBar>
-#include <QToolButton>
-#include <QTreeView>
+#include <QtWidgets>
 
 namespace tst_windowsizes {
 
@@ -233,7 +218,7 @@ private slots:
             QVERIFY2(keepsHalf(), workspace);
             for (QAction *entry : entriesOf(*window->menuBar())) {
                 if (!entry->isEnabled() || entry->text().endsWith(u'…')
-                    || entry->objectName() == QStringLiteral("quit"))
+                    || entry->objectName() == u"quit"_s)
                     continue;
                 entry->trigger();
                 QVERIFY2(keepsHalf(), qPrintable(workspace + u' ' + entry->text()));
@@ -298,7 +283,7 @@ private slots:
             QVERIFY(window->parts().canvas->isVisible());
         }
         action(*window, "resetLayout")->trigger();
-        QVERIFY(isAsLarge(QStringLiteral("the layout is reset")));
+        QVERIFY(isAsLarge(u"the layout is reset"_s));
         for (const char *name : {"zoomIn", "zoomIn", "zoomOut", "zoomToOne", "zoomToFit"}) {
             action(*window, name)->trigger();
             QVERIFY(isAsLarge(QLatin1String(name)));
@@ -337,7 +322,7 @@ private slots:
             QCOMPARE(box->shownText(), box->currentText());
         }
         for (const QLabel *label : compare->findChildren<QLabel *>()) {
-            if (label->objectName() == QStringLiteral("predictVeil"))
+            if (label->objectName() == u"predictVeil"_s)
                 continue;
             QVERIFY2(isInSight(label), qPrintable(label->text()));
             QVERIFY2(label->height() >= label->heightForWidth(label->width()),

@@ -9,14 +9,8 @@
 #include "widgets/model/scenedocument.h"
 #include "widgets/window/panels.h"
 
-#include <QApplication>
-#include <QClipboard>
-#include <QDockWidget>
-#include <QMenuBar>
-#include <QSettings>
 #include <QTest>
-#include <QToolBar>
-#include <QToolButton>
+#include <QtWidgets>
 
 namespace tst_workspaces {
 
@@ -116,7 +110,7 @@ private slots:
         QCOMPARE(window->menuBar()->cornerWidget(), row);
         int key = Qt::Key_1;
         for (const char *name : actions) {
-            const QString keyText = QStringLiteral("Ctrl+") + QChar(key);
+            const QString keyText = u"Ctrl+"_s + QChar(key);
             QCOMPARE(action(*window, name)->shortcut(), QKeySequence(keyText));
             QTest::keyClick(window.get(), Qt::Key(key++), Qt::ControlModifier);
             QCOMPARE(current(*window), name);

@@ -3,7 +3,6 @@
 
 #include "core/runs/scenerun.h"
 #include "core/scene/text/coordinatetext.h"
-#include "widgets/look/numberlayout.h"
 #include "widgets/look/parts.h"
 #include "widgets/look/signs.h"
 #include "widgets/model/runnotes.h"
@@ -81,7 +80,6 @@ QBoxLayout *MotionPanel::playRow()
     m_play->setCheckable(true);
     play(false);
     m_play->setToolTip(tr("Show one frame after the other, over and over"));
-    m_position->setFont(tabularFont(font()));
     auto *row = withParts(new QHBoxLayout, {m_play, {m_slider, 1}, m_position}, 8);
     connect(m_play, &QToolButton::toggled, this, &MotionPanel::play);
     connect(m_slider, &QSlider::valueChanged, m_document, &SceneDocument::setCurrentFrame);

@@ -4,8 +4,7 @@
 #include "widgets/look/parts.h"
 #include "widgets/look/signs.h"
 
-#include <QBoxLayout>
-#include <QEvent>
+#include <QtWidgets>
 #include <qcustomplot.h>
 
 #include <cmath>
@@ -24,35 +23,18 @@ constexpr int axisMargins = 60; ///< logical pixels above and below the axis, to
 
 QColor arithmeticColour(Arithmetic arithmetic, const QPalette &palette)
 {
-    switch (arithmetic) {
-    case Arithmetic::Exact:
-        break;
-    case Arithmetic::Float32:
-        return signColour(Sign::UpperEdge, palette);
-    case Arithmetic::Float64:
-        return signColour(Sign::LowerEdge, palette);
-    case Arithmetic::Fixed16:
-        return signColour(Sign::PickedPixel, palette);
-    case Arithmetic::Fixed32:
-        return signColour(Sign::Tie, palette);
-    }
-    return palette.color(QPalette::Text);
+    constexpr std::array signs // of the rounding ones
+        = {Sign::UpperEdge, Sign::LowerEdge, Sign::PickedPixel, Sign::Tie};
+    return arithmetic == Arithmetic::Exact
+        ? palette.color(QPalette::Text)
+        : signColour(signs[std::size_t(arithmetic) - 1], palette);
 }
 
 Qt::PenStyle arithmeticLine(Arithmetic arithmetic)
 {
-    switch (arithmetic) {
-    case Arithmetic::Exact:
-    case Arithmetic::Float32:
-        break;
-    case Arithmetic::Float64:
-        return Qt::DashLine;
-    case Arithmetic::Fixed16:
-        return Qt::DashDotLine;
-    case Arithmetic::Fixed32:
-        return Qt::DashDotDotLine;
-    }
-    return Qt::SolidLine;
+    constexpr std::array lines
+        = {Qt::SolidLine, Qt::SolidLine, Qt::DashLine, Qt::DashDotLine, Qt::DashDotDotLine};
+    return lines[std::size_t(arithmetic)];
 }
 
 QCustomPlot *makePlot(QWidget *owner, const std::function<void(const QPointF &)> &click)
@@ -82,8 +64,7 @@ void dressPlot(QCustomPlot &plot, const QWidget &owner)
 {
     const QColor text = owner.palette().color(QPalette::Text);
     const QBrush base(owner.palette().color(QPalette::Base));
-    QColor faint = text;
-    faint.setAlphaF(0.2F);
+    const QColor lines = translucent(text, 0.2);
     plot.setBackground(base);
     for (QCPAxis *axis : {plot.xAxis, plot.yAxis, plot.xAxis2}) {
         axis->setBasePen(QPen(text));
@@ -94,8 +75,8 @@ void dressPlot(QCustomPlot &plot, const QWidget &owner)
         axis->setTickLabelFont(owner.font());
         axis->setLabelFont(owner.font());
         axis->setLabelPadding(2);
-        axis->grid()->setPen(QPen(faint, 0, Qt::DotLine));
-        axis->grid()->setZeroLinePen(QPen(faint, 0, Qt::DotLine));
+        axis->grid()->setPen(QPen(lines, 0, Qt::DotLine));
+        axis->grid()->setZeroLinePen(QPen(lines, 0, Qt::DotLine));
     }
     plot.legend->setBrush(base);
     plot.legend->setBorderPen(Qt::NoPen);
@@ -209,8 +190,7 @@ void PrecisionPlot::addCurve(const BoundErrors &errors)
 
 void PrecisionPlot::addLimit(const BoundErrors &errors)
 {
-    QColor colour = arithmeticColour(errors.arithmetic, palette());
-    colour.setAlphaF(0.6F);
+    const QColor colour = translucent(arithmeticColour(errors.arithmetic, palette()), 0.6);
     for (const int side : {-1, 1}) {
         QVector<double> places;
         QVector<double> values;

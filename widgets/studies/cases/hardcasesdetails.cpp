@@ -33,9 +33,7 @@ HardCasesDetails::HardCasesDetails(QWidget *parent)
 {
     named(this, "hardCasesDetails", tr("The chosen case"));
     m_title = readingLabel("hardCaseTitle", tr("Name of the case"), this);
-    QFont bold = font();
-    bold.setBold(true);
-    m_title->setFont(bold);
+    m_title->setFont(bold(font()));
     withParts(new QVBoxLayout(this), {m_title}, 8, 0);
     onEvents(this, {QEvent::Show}, [this] { checkNext(); });
     onEvents(this, {QEvent::PaletteChange}, [this] {

@@ -101,9 +101,7 @@ void HardCasesPanel::fillTree()
             family = new QTreeWidgetItem(m_tree, {each.family});
             family->setFirstColumnSpanned(true);
             family->setFlags(Qt::ItemIsEnabled);
-            QFont bold = font();
-            bold.setBold(true);
-            family->setFont(0, bold);
+            family->setFont(0, bold(font()));
         }
         auto *item = new QTreeWidgetItem(family, {QString(), each.hardCase.id});
         item->setData(0, Qt::UserRole, int(m_items.size()));

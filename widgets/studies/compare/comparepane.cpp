@@ -72,9 +72,7 @@ ComparePane::ComparePane(int number, CompareLink *link, Playhead *playhead, QWid
     auto *first = new QHBoxLayout;
     first->setSpacing(4);
     auto *name = new QLabel(QString::number(number), this);
-    QFont bold = font();
-    bold.setBold(true);
-    name->setFont(bold);
+    name->setFont(bold(font()));
     first->addWidget(name);
     first->addWidget(m_method, 1);
     // In their own row: four panes side by side would push out the panels at the right.
@@ -82,7 +80,7 @@ ComparePane::ComparePane(int number, CompareLink *link, Playhead *playhead, QWid
     withParts(new QVBoxLayout(this), {first, m_settings, {m_view, 1}, m_result}, 4, 0);
 
     onEvents(this, {QEvent::Resize}, [this] {
-        m_settings->setDirection(isNarrow() ? QBoxLayout::TopToBottom : QBoxLayout::LeftToRight);
+        emit roomChanged();
         tellResult();
     });
     connect(m_method, &QComboBox::activated, this, [this] {
@@ -147,6 +145,21 @@ void ComparePane::offerSettings(const ScanSettings &wanted)
     offer(m_arithmetic, arithmetics, chosen.settings.arithmetic);
     offer(m_fillRule, rules, chosen.settings.fillRule);
     m_variants = chosen.settings.variants;
+    emit roomChanged();
+}
+
+bool ComparePane::fitsSettingsInARow() const
+{
+    const auto widthOf = [this](const QComboBox *box) {
+        return fontMetrics().horizontalAdvance(box->currentText()) + leastBoxWidth;
+    };
+    return 2 * std::max(widthOf(m_arithmetic), widthOf(m_fillRule)) + m_settings->spacing()
+        <= width();
+}
+
+void ComparePane::setSettingsDirection(QBoxLayout::Direction direction)
+{
+    m_settings->setDirection(direction);
 }
 
 void ComparePane::show(const std::shared_ptr<const Contest> &contest, std::size_t run)

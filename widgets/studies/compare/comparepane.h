@@ -4,9 +4,9 @@
 #include "core/compare/contenderpace.h"
 #include "core/trace/tracecursor.h"
 
+#include <QBoxLayout>
 #include <QWidget>
 
-class QBoxLayout;
 class QComboBox;
 class QLabel;
 
@@ -35,12 +35,17 @@ public:
     /// Shows the cost of drawing the picture beside the result.
     void showCost(const SceneCost &cost);
 
+    /// Whether arithmetic and fill rule, as chosen, fit side by side.
+    bool fitsSettingsInARow() const;
+    void setSettingsDirection(QBoxLayout::Direction direction);
+
     CompareView *view() const;
     /// The pane's own position in its own run; none for the truth and without a run.
     std::optional<std::size_t> position() const;
 
 signals:
     void contenderChanged();
+    void roomChanged(); ///< for the settings, or the settings in it
 
 private:
     class View;

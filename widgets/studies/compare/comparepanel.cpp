@@ -80,6 +80,7 @@ void ComparePanel::addPane()
     m_row->insertWidget(int(m_panes.size()), pane, 1);
     m_panes.push_back(pane);
     connect(pane, &ComparePane::contenderChanged, this, &ComparePanel::compareAnew);
+    connect(pane, &ComparePane::roomChanged, this, &ComparePanel::alignSettings);
     m_more->setEnabled(m_panes.size() < mostContenders);
     m_fewer->setEnabled(m_panes.size() > fewestContenders);
 }
@@ -90,6 +91,14 @@ void ComparePanel::removePane()
     m_panes.pop_back();
     m_more->setEnabled(m_panes.size() < mostContenders);
     m_fewer->setEnabled(m_panes.size() > fewestContenders);
+}
+
+/// Side by side where they fit in every pane, so that the pictures stand in line.
+void ComparePanel::alignSettings()
+{
+    const bool fit = std::ranges::all_of(m_panes, &ComparePane::fitsSettingsInARow);
+    for (ComparePane *pane : m_panes)
+        pane->setSettingsDirection(fit ? QBoxLayout::LeftToRight : QBoxLayout::TopToBottom);
 }
 
 std::vector<Contender> ComparePanel::contenders() const

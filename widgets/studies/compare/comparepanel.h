@@ -43,6 +43,7 @@ private:
     void addControls(QBoxLayout *layout);
     void addPane();
     void removePane();
+    void alignSettings();
     void choosePanes();
     void compareAnew();
     bool beginStudy() override;

@@ -23,15 +23,17 @@ QString agreementLegend(const AgreementMap &agreement, const QPalette &palette)
 {
     QStringList legend;
     for (int agreeing = agreement.contenderCount(); agreeing > 0; --agreeing) {
-        QString meaning
-            = ComparePanel::tr("%1 agree: %2").arg(agreeing).arg(agreement.countAgreeing(agreeing));
+        const QString who = agreeing == agreement.contenderCount() ? ComparePanel::tr("all agree")
+            : agreeing == 1                                        ? ComparePanel::tr("none agree")
+                            : ComparePanel::tr("%1 agree").arg(agreeing);
+        QString meaning = QStringLiteral("%1: %2").arg(who).arg(agreement.countAgreeing(agreeing));
         meaning.replace(u' ', QStringLiteral("&nbsp;")); // lines break only between the colours
         legend.append(
             QStringLiteral("<span style=\"background:%1\">&nbsp;&nbsp;&nbsp;</span>&nbsp;%2")
                 .arg(agreementColour(agreeing, agreement.contenderCount(), palette).name(),
                      meaning));
     }
-    return legend.join(QStringLiteral(" &nbsp; "));
+    return legend.join(QStringLiteral("&nbsp;&nbsp; "));
 }
 
 QString resultText(const ContenderRun &run, const ContenderTally &tally)
@@ -48,9 +50,10 @@ QString resultText(const ContenderRun &run, const ContenderTally &tally)
                                       nullptr, written)
                     : ComparePane::tr("%4 of %n pixels so far: %1 missing, %2 extra, %3 in another "
                                       "colour",
-                                      nullptr, written))
+                                      nullptr, written)
+                          .replace(QLatin1String("%4"), QString::number(tally.written)))
                    .arg(countOf(tally, Difference::Missing), countOf(tally, Difference::Extra),
-                        countOf(tally, Difference::Colour), QString::number(tally.written));
+                        countOf(tally, Difference::Colour));
     if (run.tally.undrawn > 0)
         text += ComparePane::tr("; %1 undrawn, of other kinds").arg(run.tally.undrawn);
     const std::vector<Variant> variants = variantsIn(run.contender.settings.variants);
@@ -64,10 +67,17 @@ QString shortResultText(const ContenderRun &run, const ContenderTally &tally)
     if (run.tally.written == 0 || run.contender.isTruth())
         return resultText(run, tally);
     const QString pixels = QString::number(run.tally.written);
-    return ComparePane::tr("%1 px: %2 missing, %3 extra, %4 wrong colour")
-        .arg(tally == run.tally ? pixels : QStringLiteral("%1/%2").arg(tally.written).arg(pixels),
-             countOf(tally, Difference::Missing), countOf(tally, Difference::Extra),
-             countOf(tally, Difference::Colour));
+    QStringList wrong;
+    const auto count = [&](Difference kind, const QString &text) {
+        if (tally.againstTruth.count(kind) > 0)
+            wrong += text.arg(countOf(tally, kind));
+    };
+    count(Difference::Missing, ComparePane::tr("%1 missing"));
+    count(Difference::Extra, ComparePane::tr("%1 extra"));
+    count(Difference::Colour, ComparePane::tr("%1 wrong colour"));
+    return ComparePane::tr("%1: %2").arg(
+        tally == run.tally ? pixels : QStringLiteral("%1/%2").arg(tally.written).arg(pixels),
+        wrong.isEmpty() ? ComparePane::tr("correct") : wrong.join(QStringLiteral(", ")));
 }
 
 QString carriedText(const Contest &contest)

@@ -17,7 +17,7 @@ QString agreementLegend(const AgreementMap &agreement, const QPalette &palette);
 /// How many pixels a contender writes, and how many differ from the truth: "984 pixels: 0 missing
 /// …"; with the tally of an earlier position, up to there: "412 of 984 pixels so far: …".
 QString resultText(const ContenderRun &run, const ContenderTally &tally);
-/// resultText() for little room: "984 px: 0 missing …".
+/// resultText() for little room: "984: correct", "984: 2 missing, 1 extra".
 QString shortResultText(const ContenderRun &run, const ContenderTally &tally);
 
 /// How far the contenders agree on what no picture shows, a line for each pair of contenders that

@@ -4,8 +4,7 @@
 #include "core/scan/choicenames.h"
 #include "widgets/look/corewords.h"
 
-#include <QCoreApplication>
-#include <QStringList>
+#include <QtWidgets>
 
 namespace pixelplumb {
 

@@ -2,7 +2,6 @@
 #include "widgets/studies/cost/performancepanel.h"
 
 #include "widgets/look/numberformat.h"
-#include "widgets/look/numberlayout.h"
 #include "widgets/look/parts.h"
 #include "widgets/look/signs.h"
 #include "widgets/model/job.h"
@@ -52,8 +51,6 @@ QLabel *textLabel(const char *name, QWidget *parent)
 {
     QLabel *label = readingLabel(name, {}, parent);
     label->setAlignment(Qt::AlignTop | Qt::AlignLeft);
-    if (const QFont figures = tabularFont(parent->font()); figures != parent->font())
-        label->setFont(figures);
     return label;
 }
 

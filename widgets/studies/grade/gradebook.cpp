@@ -5,8 +5,7 @@
 #include "core/grade/class/gradefile.h"
 #include "core/grade/class/gradereports.h"
 
-#include <QCoreApplication>
-#include <QFileInfo>
+#include <QtWidgets>
 
 #include <algorithm>
 

@@ -24,9 +24,7 @@ GradeReviewPane::GradeReviewPane(Gradebook *book, QWidget *parent)
     m_scene->setMinimumContentsLength(4);
     m_causes = explained(new ElidedLabel(this), "gradingCauses",
                          tr("What explains the pictures, for you, not for the student"));
-    QFont bold = m_causes->font();
-    bold.setBold(true);
-    m_causes->setFont(bold);
+    m_causes->setFont(bold(m_causes->font()));
     m_sentences = explained(new QLabel(this), "gradingSentences", tr("What the student is told"));
     m_done = explained(new QLabel(this), "gradingDone", tr("What was done, for you"));
     for (QLabel *each : {m_sentences, m_done}) {

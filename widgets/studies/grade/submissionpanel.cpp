@@ -63,12 +63,10 @@ void SubmissionPanel::addHead(QBoxLayout *layout)
 {
     m_name
         = named(new ElidedLabel(m_content), "submissionName", tr("The student's picture's file"));
-    QFont bold = m_name->font();
-    bold.setBold(true);
-    m_name->setFont(bold);
-    auto *open = namedButton("submissionOpen", tr("Open…"),
-                             tr("Open a student's picture: PNG, PPM, BMP or a raster of # and ."),
-                             m_content);
+    m_name->setFont(bold(m_name->font()));
+    auto *open = namedButton(
+        "submissionOpen", tr("Open…"),
+        tr("Open a student's picture: PNG, PPM, BMP, or a raster of “#” and “.”"), m_content);
     m_remove
         = namedButton("submissionRemove", tr("Remove"),
                       tr("Take the student's picture away; the scene stays as it is"), m_content);
@@ -172,7 +170,7 @@ void SubmissionPanel::showJudgement()
     } else if (!isThere) {
         m_verdict->setText(
             tr("Drop a picture of this scene on the canvas, paste it (Ctrl+V) or open it: PNG, "
-               "PPM, BMP or a raster of # and . What differs is marked on the canvas."));
+               "PPM, BMP, or a raster of “#” and “.”. What differs is marked on the canvas."));
     } else {
         const QString misfit = m_student->misfit();
         m_verdict->setText(misfit.isEmpty() ? tr("Being compared.") : misfit);
