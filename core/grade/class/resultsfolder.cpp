@@ -172,17 +172,17 @@ std::optional<InputError> ResultsFolder::write(const QString &file, const QByteA
     const int folder = place->folder.number();
     const QByteArray whole
         = place->name + '.' + QUuid::createUuid().toByteArray(QUuid::Id128).left(8);
-    // Without a name nothing half-written is left of a process that is ended here.
+    // Without a name nothing half-written is left of a process that is ended here; some disks have
+    // no such files.
     const Descriptor nameless(openat(folder, ".", O_WRONLY | O_TMPFILE | O_CLOEXEC, readAndWrite));
-    const Descriptor named(nameless.isOpen()
-                               ? -1
-                               : openat(folder, whole.constData(),
-                                        O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, readAndWrite));
-    const Descriptor &made = nameless.isOpen() ? nameless : named;
-    const auto isNamed
-        = [&] { return named.isOpen() || giveName(nameless.number(), folder, whole); };
-    if (made.isOpen() && fill(made.number(), content) && isNamed()
-        && renameat(folder, whole.constData(), folder, place->name.constData()) == 0)
+    bool isWhole = nameless.isOpen() && fill(nameless.number(), content)
+        && giveName(nameless.number(), folder, whole);
+    if (!isWhole) {
+        const Descriptor named(openat(folder, whole.constData(),
+                                      O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, readAndWrite));
+        isWhole = named.isOpen() && fill(named.number(), content);
+    }
+    if (isWhole && renameat(folder, whole.constData(), folder, place->name.constData()) == 0)
         return std::nullopt;
     const InputError error = place->error(cannotBeWritten);
     unlinkat(folder, whole.constData(), 0);
