@@ -32,6 +32,10 @@ using namespace Qt::StringLiterals;
 
 namespace {
 
+struct Words {
+    Q_DECLARE_TR_FUNCTIONS(main)
+};
+
 template <class Choices>
 QString listed(const Choices &choices)
 {
@@ -39,27 +43,17 @@ QString listed(const Choices &choices)
 }
 
 struct Options {
-    QCommandLineOption palette{
-        u"palette"_s, QCoreApplication::translate("main", "Colours: light, dark or system."),
-        u"name"_s};
-    QCommandLineOption position{
-        u"position"_s,
-        QCoreApplication::translate("main", "Start with the first <steps> steps done."),
-        u"steps"_s};
-    QCommandLineOption column{
-        u"column"_s, QCoreApplication::translate("main", "Start as column <x> is entered."),
-        u"x"_s};
-    QCommandLineOption method{
-        u"method"_s, QCoreApplication::translate("main", "Draw by this method."), u"name"_s};
+    QCommandLineOption palette{u"palette"_s, Words::tr("Colours: light, dark or system."),
+                               u"name"_s};
+    QCommandLineOption position{u"position"_s,
+                                Words::tr("Start with the first <steps> steps done."), u"steps"_s};
+    QCommandLineOption column{u"column"_s, Words::tr("Start as column <x> is entered."), u"x"_s};
+    QCommandLineOption method{u"method"_s, Words::tr("Draw by this method."), u"name"_s};
     QCommandLineOption arithmetic{
         u"arithmetic"_s,
-        QCoreApplication::translate("main", "Instead of the scene's, one of: %1.")
-            .arg(listed(allArithmetics)),
-        u"name"_s};
+        Words::tr("Instead of the scene's, one of: %1.").arg(listed(allArithmetics)), u"name"_s};
     QCommandLineOption fillRule{
-        u"fill-rule"_s,
-        QCoreApplication::translate("main", "Instead of the scene's, one of: %1.")
-            .arg(listed(allFillRules)),
+        u"fill-rule"_s, Words::tr("Instead of the scene's, one of: %1.").arg(listed(allFillRules)),
         u"name"_s};
 
     QList<QCommandLineOption> all() const
@@ -179,16 +173,13 @@ void nameApplication()
 
 void describe(QCommandLineParser &parser, const Options &options)
 {
-    parser.setApplicationDescription(
-        QCoreApplication::translate("main", "See and step through triangle scan conversion."));
+    parser.setApplicationDescription(Words::tr("See and step through triangle scan conversion."));
     parser.addHelpOption();
     parser.addVersionOption();
-    parser.addPositionalArgument(
-        u"scene"_s,
-        QCoreApplication::translate("main",
-                                    "A scene file to open, or a folder of results of "
-                                    "pixelplumb-cli grade, to look through in Grading."),
-        u"[scene | results]"_s);
+    parser.addPositionalArgument(u"scene"_s,
+                                 Words::tr("A scene file to open, or a folder of results of "
+                                           "pixelplumb-cli grade, to look through in Grading."),
+                                 u"[scene | results]"_s);
     parser.addOptions(options.all());
 }
 
