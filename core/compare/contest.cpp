@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/compare/contest.h"
 
-#include "core/check/casepicture.h"
 #include "core/compare/exactbounds.h"
+#include "core/methods/stroketruth.h"
+#include "core/oracle/truepicture.h"
 #include "core/runs/undrawn.h"
 #include "core/scan/choicenames.h"
 
@@ -64,7 +65,10 @@ private:
             drawn->drawTruth(run.truth.view());
             if (!drawn->drawsAll()) {
                 run.wholeTruth.emplace(m_contest->scene.frame);
-                drawTruly(all, contender.settings, run.wholeTruth->view());
+                const FrameView whole = run.wholeTruth->view();
+                oracle::drawPicture(all, contender.settings,
+                                    Run(nullptr, all, contender.settings, whole).shading(), whole,
+                                    strokeTruthOf(contender.method));
             }
         }
         count(run);
@@ -169,9 +173,14 @@ private:
         const auto leavesOut = [x, y](const ContenderRun &run) { return run.isUndrawn(x, y); };
         if (std::ranges::any_of(m_contest->runs, leavesOut))
             return Disagreement::Undrawn;
-        const bool isTie = std::ranges::any_of(
-            m_contest->primitives.triangles,
-            [x, y](const Triangle &triangle) { return liesOnBoundary(triangle, x, y); });
+        const auto drawsTriangles = [](const ContenderRun &run) {
+            return run.contender.isTruth() || run.contender.method->draws(PrimitiveKind::Triangle);
+        };
+        const bool isTie = std::ranges::all_of(m_contest->runs, drawsTriangles)
+            && std::ranges::any_of(m_contest->primitives.triangles,
+                                   [x, y](const Triangle &triangle) {
+                                       return liesOnBoundary(triangle, x, y);
+                                   });
         return isTie ? Disagreement::TieRule : Disagreement::Method;
     }
 

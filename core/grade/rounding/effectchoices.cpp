@@ -4,6 +4,7 @@
 #include "core/frame/framebuffer.h"
 #include "core/grade/rounding/samplechoices.h"
 #include "core/grade/rounding/trianglemargin.h"
+#include "core/methods/stroketruth.h"
 #include "core/oracle/effectoracle.h"
 #include "core/oracle/truepicture.h"
 #include "core/runs/contender.h"
@@ -84,7 +85,8 @@ private:
         view.firstColumn = std::int32_t(choice.x());
         view.firstRow = std::int32_t(choice.y());
         view.width = view.height = 1;
-        oracle::drawPicture(m_run.primitives, m_run.settings, &m_plan, view);
+        oracle::drawPicture(m_run.primitives, m_run.settings, &m_plan, view,
+                            strokeTruthOf(m_run.method));
         m_run.primitives.triangles = kept;
         return unpacked(pixel);
     }
