@@ -130,8 +130,8 @@ public:
         const bool isShared = !a.m_wide && !b.m_wide && a.m_below == b.m_below;
         return isShared ? Fraction(a.m_above, b.m_above) : a * b.inverse();
     }
-    friend bool operator==(const Fraction &a, const Fraction &b) { return signOf(a - b) == 0; }
-    friend bool operator<(const Fraction &a, const Fraction &b) { return signOf(a - b) < 0; }
+    friend bool operator==(const Fraction &a, const Fraction &b) { return compared(a, b) == 0; }
+    friend bool operator<(const Fraction &a, const Fraction &b) { return compared(a, b) < 0; }
 
     /// Both over one denominator; none where 128 bits do not hold them.
     friend std::optional<std::pair<Fraction, Fraction>> overOneDenominator(const Fraction &a,
@@ -198,6 +198,19 @@ private:
             ? Int128(std::gcd(std::int64_t(a), std::int64_t(b)))
             : greatestCommonDivisor(a, b);
         return {b / shared, a / shared};
+    }
+    /// The sign of a − b: by the signs, or by products where 128 bits hold them.
+    static int compared(const Fraction &a, const Fraction &b)
+    {
+        if (a.m_wide || b.m_wide)
+            return signOf(a - b);
+        Int128 ofA = a.m_above;
+        Int128 ofB = b.m_above;
+        const bool isTold = a.m_below == b.m_below || (ofA < 0) != (ofB < 0);
+        const bool overflows = !isTold
+            && (__builtin_mul_overflow(a.m_above, b.m_below, &ofA)
+                || __builtin_mul_overflow(b.m_above, a.m_below, &ofB));
+        return overflows ? signOf(a - b) : int(ofA > ofB) - int(ofA < ofB);
     }
     static int signOf(const Fraction &value)
     {

@@ -16,7 +16,8 @@ enum class EdgeQuestion : std::uint8_t { IsInside, IsOutside, Nothing };
 /// edge.
 enum class EdgeValue : std::uint8_t { Own, Negated, OfNext, OfPrevious };
 /// How an edge function is computed: exactly; cut toward 0 or rounded down to whole px²; with both
-/// products cut; with a, b and c cut; with the products added; or kept in 16 bits, in whole px².
+/// products cut; with a, b and c cut; with the products added; or in whole px² with the function,
+/// or each product, kept in 16 bits.
 enum class EdgeFunctionForm : std::uint8_t {
     Right,
     Cut,
@@ -24,7 +25,8 @@ enum class EdgeFunctionForm : std::uint8_t {
     ProductsCut,
     CoefficientsCut,
     ProductsAdded,
-    InShort
+    InShort,
+    ProductsInShort
 };
 /// Where the functions are evaluated for a sample of the box: at the sample; as far along as all
 /// rows before it have stepped; with x and y exchanged; or as far from (x_min, y_min) as the sample
@@ -39,8 +41,9 @@ enum class EdgeSlack : std::uint8_t {
     OfDistance, ///< half a pixel
     OfWeight, ///< 0.01
 };
-/// Which edges own the samples on them: the scene's rule, or sides of the triangle.
-enum class EdgeOwner : std::uint8_t { OfRule, BottomRight, BottomLeft, TopRight };
+/// Which edges own the samples on them: the scene's rule, or sides of the triangle; or those that
+/// are top or left edges where vertices turn counter-clockwise, whichever way they turn.
+enum class EdgeOwner : std::uint8_t { OfRule, BottomRight, BottomLeft, TopRight, AsGiven };
 /// What happens in a row at a sample outside.
 enum class OutsideSample : std::uint8_t { GoesOn, EndsRow };
 /// The weight of a vertex: its own; 0; that of the next or the previous vertex; or 1 minus one of

@@ -23,15 +23,18 @@ enum class Truncation : std::uint8_t { All, TowardZero, Down, Nearest };
 /// (⌈y_B⌉ − y_B).
 enum class PreStep : std::uint8_t { ToSample, None, Fraction, Backward, WithoutRate };
 /// Which values become whole numbers where they are kept as such: all from the first on; only
-/// stepped ones, y = int(y + m) from a fractional y; or only the first, in a span's colours.
-enum class Storing : std::uint8_t { FromFirst, BehindSteps, FirstAlone };
+/// stepped ones, y = int(y + m) from a fractional y; only the first, in a span's colours; or what
+/// is added to the value of the edge's vertex, or of the span's bound, y₀ + Δy·(x − x₀)/Δx, with
+/// the product in all bits or, along edges, in 16.
+enum class Storing : std::uint8_t { FromFirst, BehindSteps, FirstAlone, Added, AddedOfShorts };
+constexpr bool isOfAdded(Storing storing) { return storing >= Storing::Added; }
 /// When values are stepped.
 enum class Stepping : std::uint8_t { AfterDrawing, BeforeDrawing };
 /// What happens to the edges at a span without samples.
 enum class EmptySpan : std::uint8_t { Steps, Waits };
-/// How a bound of a span is rounded to a sample: by the fill rule, ⌊ ⌋, to nearest, ⌈ ⌉; or by the
-/// rule with the opposite ownership of a sample on the bound itself.
-enum class EndRounding : std::uint8_t { ByRule, Down, Nearest, Up, OnBoundOtherwise };
+/// How a bound of a span is rounded to a sample: by the fill rule, ⌊ ⌋, to nearest, ⌈ ⌉; by the
+/// rule with the opposite ownership of a sample on the bound itself; or it is sample 0, if first.
+enum class EndRounding : std::uint8_t { ByRule, Down, Nearest, Up, OnBoundOtherwise, AtZero };
 /// The divisor of a span's difference of colours: y_T − y_B; this plus one; this minus one, which
 /// may be negative; this if at least one, else 0; ⌊y_T⌋ − ⌊y_B⌋; the number of its samples; or of
 /// steps from its first sample to its last. A divisor of 0 means no division and no steps.
@@ -103,8 +106,8 @@ enum class LongEdgeBefore : std::uint8_t { Steps, Waits };
 /// where P₁ lies between two spans, the second half begins at the one before it, or at the nearest.
 enum class MiddleSpan : std::uint8_t { InSecondHalf, InBothHalves, FromSpanBefore, FromNearest };
 /// Where a triangle's spans begin or end: by the fill rule; at a span beyond the vertex, unless the
-/// vertex lies on one; at the nearest; or one span beyond the rule's.
-enum class SpanEnd : std::uint8_t { ByRule, Outward, Nearest, OneMore };
+/// vertex lies on one; at the nearest; one span beyond the rule's; or at span 0, if least.
+enum class SpanEnd : std::uint8_t { ByRule, Outward, Nearest, OneMore, AtZero };
 /// The ends of the span on which P₁ and P₂ lie if they have the same x: P₁ and the value L₀₂ has
 /// reached; the two vertices; or the values L₀₁ and L₀₂ have reached. In a right program all agree.
 enum class FlatEnd : std::uint8_t { ByEdges, FromVertices, FromEdgesBefore };

@@ -4,6 +4,7 @@
 #include "core/grade/bugs/leveldefect.h"
 #include "core/grade/bugs/linechoice.h"
 #include "core/grade/bugs/scenedefect.h"
+#include "core/grade/bugs/shapedefect.h"
 #include "core/grade/bugs/spandefect.h"
 #include "core/grade/bugs/walkdefect.h"
 #include "core/grade/pictures/picturecause.h"
@@ -129,13 +130,13 @@ void appendPictures(std::vector<Defect> &defects, const Scene &scene)
 
 /// A scene that can have every defect of its method: two primitives, turned either way, too large
 /// for edge functions of 16 bits, with vertices between pixels, two in one column and two in one
-/// row, and a level of 255.
+/// row, and a level of 255; lines that rise, fall and leave the frame; contours that overlap.
 Scene proneScene(const Scene &conventions)
 {
     Scene scene = conventions;
     scene.frame.width = 384;
     scene.frame.height = 320;
-    constexpr Lattice half = unitsPerPixel / 2;
+    constexpr Lattice half = halfPixel;
     const std::array<Vertex, 4> vertices = {{{{5 * half, 7 * half}, {{255, 40, 10}}},
                                              {{649 * half, 7 * half}, {{20, 200, 90}}},
                                              {{649 * half, 489 * half}, {{60, 30, 240}}},
@@ -145,9 +146,28 @@ Scene proneScene(const Scene &conventions)
     if (method.draws(PrimitiveKind::Triangle))
         scene.triangles = {{{{vertices[0], vertices[1], vertices[2]}}},
                            {{{vertices[0], vertices[3], vertices[2]}}}};
-    scene.shapes = std::vector<Shape>(method.draws(PrimitiveKind::Line) ? 2 : 0);
-    for (std::size_t i = 0; i < scene.shapes.size(); ++i)
-        scene.shapes[i].vertices = {vertices[i], vertices[i + 2]};
+    const Vertex centre{latticePixel(100, 90), vertices[0].colour};
+    const Vertex corner{latticePixel(140, 130), vertices[0].colour};
+    const Vertex outside{latticePixel(150, -40), vertices[1].colour};
+    const auto shape = [&method, &scene](PrimitiveKind kind, std::vector<Vertex> points,
+                                         ShapeFill fill = ShapeFill::Outline) {
+        Shape added;
+        added.kind = kind;
+        added.vertices = std::move(points);
+        added.fill = fill;
+        if (fill == ShapeFill::EvenOdd)
+            added.laterContours = {4};
+        if (method.draws(added))
+            scene.shapes.push_back(added);
+    };
+    shape(PrimitiveKind::Line, {vertices[0], vertices[2]});
+    shape(PrimitiveKind::Line, {vertices[1], vertices[3]});
+    shape(PrimitiveKind::Line, {centre, outside});
+    shape(PrimitiveKind::Circle, {centre, corner});
+    const auto &[a, b, c, d] = vertices;
+    shape(PrimitiveKind::Polygon, {a, b, c, d});
+    shape(PrimitiveKind::Polygon, {a, b, c, d}, ShapeFill::NonZero);
+    shape(PrimitiveKind::Polygon, {a, b, c, d, centre, corner, outside}, ShapeFill::EvenOdd);
     return scene;
 }
 
@@ -188,6 +208,7 @@ std::vector<Defect> defectsFor(const Scene &scene)
     appendSettings(defects, scene);
     std::ranges::move(sceneDefectsFor(scene), std::back_inserter(defects));
     std::ranges::move(lineDefectsFor(scene), std::back_inserter(defects));
+    std::ranges::move(shapeDefectsFor(scene), std::back_inserter(defects));
     std::ranges::move(spanDefectsFor(scene), std::back_inserter(defects));
     std::ranges::move(levelDefectsFor(scene), std::back_inserter(defects));
     appendPictures(defects, scene);

@@ -46,6 +46,11 @@ const Rows &testRows()
          ownerQuestion,
          "Samples on an edge belong to top and right edges.",
          {.owner = EdgeOwner::TopRight}},
+        {"owned-as-given",
+         ownerQuestion,
+         "Which edges are top and left is told by their direction as given: of triangles whose "
+         "vertices turn clockwise, samples on an edge belong to bottom and right edges.",
+         {.owner = EdgeOwner::AsGiven}},
         {"slack-of-one",
          testQuestion,
          "Edges are tested by E ≥ −1 in place of E ≥ 0: samples beside a short edge are drawn.",
@@ -222,7 +227,8 @@ void appendOfWeight(std::vector<Defect> &defects, std::size_t vertex)
     }
 }
 
-/// Whether an edge function of a triangle leaves 16 bits in its box.
+} // namespace
+
 bool leavesShort(const Scene &scene)
 {
     for (const Triangle &triangle : scene.triangles) {
@@ -234,8 +240,6 @@ bool leavesShort(const Scene &scene)
     return false;
 }
 
-} // namespace
-
 std::vector<Defect> edgeTestDefectsFor(const Scene &scene)
 {
     std::vector<Defect> defects;
@@ -245,11 +249,16 @@ std::vector<Defect> edgeTestDefectsFor(const Scene &scene)
     for (std::size_t vertex = 0; vertex < 3; ++vertex)
         appendOfWeight(defects, vertex);
     append(defects, weightRows());
-    if (leavesShort(scene))
-        append(defects, QStringLiteral("edge-functions-in-16-bits"), widthQuestion,
-               QStringLiteral("Edge functions are kept in 16 bits: beyond ±32,767 they wrap, and "
-                              "large triangles fall apart."),
-               {.function = EdgeFunctionForm::InShort});
+    if (!leavesShort(scene))
+        return defects;
+    append(defects, QStringLiteral("edge-products-in-16-bits"), widthQuestion,
+           QStringLiteral("The two products of an edge function are each kept in 16 bits: beyond "
+                          "±32,767 they wrap before they are subtracted."),
+           {.function = EdgeFunctionForm::ProductsInShort});
+    append(defects, QStringLiteral("edge-functions-in-16-bits"), widthQuestion,
+           QStringLiteral("Edge functions are kept in 16 bits: beyond ±32,767 they wrap, and "
+                          "large triangles fall apart."),
+           {.function = EdgeFunctionForm::InShort});
     return defects;
 }
 

@@ -13,4 +13,7 @@ std::vector<Defect> edgeTestDefectsFor(const Scene &scene);
 /// out.
 std::vector<Defect> boxDefects();
 
+/// Whether a product of differences in a triangle's box leaves 16 bits, px².
+bool leavesShort(const Scene &scene);
+
 } // namespace pixelplumb

@@ -11,72 +11,6 @@ constexpr const char *steppedFirstQuestion
     = "Which comes first, drawing a %1 or stepping its edges?";
 constexpr const char *slopeQuestion = "What is a slope, and which of its parts has which sign?";
 constexpr const char *sortQuestion = "Which vertex is P₀? For every triangle?";
-constexpr const char *placesQuestion = "What type does an edge's %3 have while it is stepped?";
-
-std::vector<WalkRow> numberRows()
-{
-    constexpr auto whole = Truncation::TowardZero;
-    return {
-        {"whole-slopes",
-         walkquestions::division,
-         "The slopes of the edges are whole numbers; colours along them are right, and those of a "
-         "%1 go from one of its wrong ends to the other.",
-         {.slopes = whole}},
-        {"whole-edge-colours",
-         walkquestions::division,
-         "The steps of colour along the edges are whole numbers; their slopes are not.",
-         {.edgeColours = whole}},
-        {"whole-edge-steps",
-         walkquestions::division,
-         "The slopes of the edges and the steps of colour along them are whole numbers; the step "
-         "of colour along a %1 is not.",
-         {.slopes = whole, .edgeColours = whole}},
-        {"whole-colours",
-         walkquestions::division,
-         "All steps of colour are whole numbers, along edges and along a %1; slopes are not.",
-         {.edgeColours = whole, .preSteps = whole, .steps = whole}},
-        {"whole-increments",
-         walkquestions::division,
-         "All increments are whole numbers: slopes and steps of colour, along edges and along a "
-         "%1.",
-         {.slopes = whole, .edgeColours = whole, .preSteps = whole, .steps = whole}},
-        {"whole-levels",
-         walkquestions::stored,
-         "Colours are kept as whole numbers, along edges and along a %1: at each step their "
-         "fraction is lost.",
-         {.edgeLevels = whole, .levels = whole}},
-        {"rounded-slopes",
-         walkquestions::division,
-         "The slopes of the edges are rounded to the nearest whole numbers; colours along them are "
-         "not.",
-         {.slopes = Truncation::Nearest}},
-        {"whole-edge-levels",
-         walkquestions::stored,
-         "The colours of an edge are kept as whole numbers: at each %1 their fraction is lost, not "
-         "so that of the colours along a %1.",
-         {.edgeLevels = whole}},
-        {"whole-places",
-         placesQuestion,
-         "An edge's %3 is kept as a whole number: at each %1 its fraction is lost, not so that of "
-         "its colours.",
-         {.edgePlaces = whole}},
-        {"rounded-places",
-         placesQuestion,
-         "An edge's %3 is kept as a whole number: at each %1 it is rounded to the nearest, its "
-         "colours are not.",
-         {.edgePlaces = Truncation::Nearest}},
-        {"places-cut-behind-steps",
-         placesQuestion,
-         "The fraction of an edge's %3 is lost when its slope is added, as by %3 = int(%3 + m) in "
-         "Python; that of its first %1 is not, nor those of its colours.",
-         {.edgePlaces = whole, .edgeStoring = Storing::BehindSteps}},
-        {"places-rounded-behind-steps",
-         placesQuestion,
-         "An edge's %3 is rounded to the nearest whole number when its slope is added, as by %3 = "
-         "round(%3 + m) in Python; that of its first %1 is not, nor are its colours.",
-         {.edgePlaces = Truncation::Nearest, .edgeStoring = Storing::BehindSteps}},
-    };
-}
 
 std::vector<WalkRow> stepRows()
 {
@@ -248,8 +182,7 @@ const std::vector<WalkRow> &edgeWalkRows()
 {
     static const std::vector<WalkRow> rows = [] {
         std::vector<WalkRow> all;
-        for (const std::vector<WalkRow> &some :
-             {stepRows(), orderRows(), numberRows(), rateRows(), columnRows()})
+        for (const std::vector<WalkRow> &some : {stepRows(), orderRows(), rateRows(), columnRows()})
             all.insert(all.end(), some.begin(), some.end());
         return all;
     }();

@@ -122,11 +122,6 @@ void exchangeSteep(DrawnLine &line)
         std::swap(pixel.x, pixel.y);
 }
 
-bool isSteep(const Vertex &from, const Vertex &to)
-{
-    return DrawnLine{from.position, to.position, from.colour, to.colour, {}}.isSteep();
-}
-
 void append(std::vector<Defect> &defects, const char *id, const char *forStudent,
             const char *forAssistant, void (*change)(DrawnLine &line))
 {
@@ -138,27 +133,6 @@ void append(std::vector<Defect> &defects, const char *id, const char *forStudent
                        {},
                        false,
                        QStringLiteral("lines")});
-}
-
-/// Changes a line of the scene.
-using ChangeLine = bool (*)(Vertex &from, Vertex &to);
-
-void appendOfScene(std::vector<Defect> &defects, const char *id, const char *forStudent,
-                   const char *forAssistant, ChangeLine change)
-{
-    defects.push_back({QString::fromLatin1(id),
-                       QString::fromUtf8(forStudent),
-                       QString::fromUtf8(forAssistant),
-                       [change](Scene &changed) {
-                           std::erase_if(changed.shapes, [&](Shape &shape) {
-                               return !change(shape.vertices[0], shape.vertices[1]);
-                           });
-                           return true;
-                       },
-                       {},
-                       {},
-                       false,
-                       QString::fromLatin1(lineEndsChoice)});
 }
 
 } // namespace
@@ -194,39 +168,6 @@ std::vector<Defect> lineDefectsFor(const Scene &scene)
     append(defects, "steep-lines-exchanged", octants,
            "Of steep lines x and y are exchanged, but not again where a pixel is written.",
            exchangeSteep);
-    appendOfScene(defects, "steep-lines-lost", octants, "Steep lines are not drawn.",
-                  [](Vertex &from, Vertex &to) { return !isSteep(from, to); });
-    appendOfScene(defects, "falling-lines-level", octants,
-                  "Of lines that fall from their first end to their second nothing steps downward: "
-                  "they stay in their first row, steep ones in their first column.",
-                  [](Vertex &from, Vertex &to) {
-                      Lattice LatticePoint::*across
-                          = isSteep(from, to) ? &LatticePoint::x : &LatticePoint::y;
-                      to.position.*across = std::max(to.position.*across, from.position.*across);
-                      return true;
-                  });
-    appendOfScene(defects, "backward-lines-lost", octants,
-                  "Lines whose second end is left of the first are not drawn.",
-                  [](Vertex &from, Vertex &to) { return from.position.x <= to.position.x; });
-    appendOfScene(defects, "falling-lines-rise", octants,
-                  "From left to right y is always stepped upward: falling lines rise.",
-                  [](Vertex &from, Vertex &to) {
-                      Vertex &left = from.position.x <= to.position.x ? from : to;
-                      Vertex &right = &left == &from ? to : from;
-                      right.position.y
-                          = left.position.y + std::abs(right.position.y - left.position.y);
-                      return true;
-                  });
-    appendOfScene(defects, "colours-exchanged", "Which end has which colour?",
-                  "The ends have each other's colours.", [](Vertex &from, Vertex &to) {
-                      std::swap(from.colour, to.colour);
-                      return true;
-                  });
-    appendOfScene(defects, "lines-of-first-colour", "Does the colour change along a line?",
-                  "A line has its first end's colour alone.", [](Vertex &from, Vertex &to) {
-                      to.colour = from.colour;
-                      return true;
-                  });
     return defects;
 }
 

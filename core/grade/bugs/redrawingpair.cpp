@@ -41,6 +41,7 @@ std::optional<Redrawing> together(const Redrawing &one, const Redrawing &other)
                     other.change(triangle);
                 },
                 overflow};
+        both.findsSamples = one.findsSamples;
     }
     const bool isToggling
         = one.repainting == Repainting::Toggles || other.repainting == Repainting::Toggles;

@@ -176,6 +176,16 @@ std::vector<Defect> spanDefectsFor(const Scene &scene)
         std::ranges::move(walkDefectsFor(axis), std::back_inserter(defects));
         appendSamplesOnBounds(defects, scene, axis);
     }
+    if (walksEdges && leavesShort(scene))
+        defects.push_back(redrawnDefect(
+            QStringLiteral("interpolation-in-16-bits"),
+            QStringLiteral("How large do your numbers get, and what holds them?"),
+            QStringLiteral("An edge's %3 is computed in whole numbers, %3₀ + (%3₁ − %3₀)·(%2 − "
+                           "%2₀)/(%2₁ − %2₀), and the product is kept in 16 bits: beyond ±32,767 "
+                           "it wraps, and the edges of large triangles jump."),
+            redrawingBy(
+                {.edgePlaces = Truncation::TowardZero, .edgeStoring = Storing::AddedOfShorts}),
+            axis));
     const auto add = [&](const SpanDefect &row) {
         defects.push_back(redrawnDefect(
             QString::fromLatin1(row.id), QString::fromUtf8(row.forStudent),

@@ -59,6 +59,15 @@ std::vector<WalkRow> endRows()
          "Each %1 begins a sample too early, at ⌈%4⌉ − 1, even one that has none, with the colour "
          "that belongs to ⌈%4⌉: all its colours are a sample too early.",
          {.spanStepping = Stepping::BeforeDrawing, .extraBefore = 1}},
+        {"first-sample-zero",
+         boundEndsQuestion,
+         "Each %1 begins at %3 = 0, not at its lower bound; its colours are drawn out beyond the "
+         "bound.",
+         {.first = EndRounding::AtZero}},
+        {"first-sample-zero-of-bound-colour",
+         boundEndsQuestion,
+         "Each %1 begins at %3 = 0, not at its lower bound, with the colour of the bound.",
+         {.spanPreStep = PreStep::None, .first = EndRounding::AtZero}},
     };
 }
 
@@ -87,6 +96,11 @@ std::vector<WalkRow> spanEndRows()
          "The %1s of a triangle end at the one that is nearest to the vertex with the greatest %2, "
          "not at ⌊%2⌋.",
          {.greatestSpan = SpanEnd::Nearest}},
+        {"first-span-zero",
+         walkquestions::triangleEnds,
+         "The %1s of a triangle begin at %2 = 0, not at ⌈%2⌉ of the vertex with the least %2: its "
+         "edges are drawn out beyond that vertex.",
+         {.leastSpan = SpanEnd::AtZero}},
     };
 }
 

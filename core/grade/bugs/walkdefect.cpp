@@ -23,12 +23,19 @@ struct NamedWalk {
 std::optional<ScanBugs> dividedDown(ScanBugs bugs)
 {
     bool isDivided = false;
-    for (Truncation *kept : {&bugs.slopes, &bugs.edgeColours, &bugs.preSteps, &bugs.steps}) {
-        if (*kept != Truncation::TowardZero)
-            continue;
-        *kept = Truncation::Down;
-        isDivided = true;
-    }
+    const auto divide = [&isDivided](std::initializer_list<Truncation *> quotients) {
+        for (Truncation *kept : quotients) {
+            if (*kept != Truncation::TowardZero)
+                continue;
+            *kept = Truncation::Down;
+            isDivided = true;
+        }
+    };
+    divide({&bugs.slopes, &bugs.edgeColours, &bugs.preSteps, &bugs.steps});
+    if (isOfAdded(bugs.edgeStoring))
+        divide({&bugs.edgePlaces, &bugs.edgeLevels});
+    if (isOfAdded(bugs.spanStoring))
+        divide({&bugs.levels});
     return isDivided ? std::optional(bugs) : std::nullopt;
 }
 
@@ -65,6 +72,15 @@ NamedWalk withWays(NamedWalk named, SpanOrder order)
     named.forAssistant.replace(QStringLiteral("%5"), isUpward ? up : down)
         .replace(QStringLiteral("%6"), isUpward ? down : up);
     return named;
+}
+
+/// Vertices' colours are whole: rounded down, what is added to them makes the same from either end.
+bool isSameFromBelow(const ScanBugs &bugs)
+{
+    ScanBugs others = bugs;
+    others.edgeLevels = others.levels = Truncation::All;
+    others.edgeStoring = others.spanStoring = Storing::FromFirst;
+    return isOfAdded(bugs.edgeStoring) && bugs.edgeLevels == Truncation::Down && others.isRight();
 }
 
 NamedWalk fromBelow(NamedWalk named)
@@ -141,13 +157,13 @@ std::vector<Defect> walkDefectsFor(SpanAxis axis)
         add(ofMethod);
         add(fromBelow(withWays(named, SpanOrder::Ascending)));
     };
-    for (const auto &rows : {spanWalkRows(), spanColourRows(), edgeWalkRows(), edgeColourRows(),
-                             middleWalkRows(), mistakenRateRows()}) {
+    for (const auto &rows : {spanWalkRows(), spanColourRows(), edgeWalkRows(), numberWalkRows(),
+                             edgeColourRows(), middleWalkRows(), mistakenRateRows()}) {
         for (const WalkRow &row : rows) {
             if (goesByRows && row.bugs.upperEdge == UpperEdge::LongBySlopes)
                 continue; // the lesser x is the left bound, whatever the slopes
             for (const NamedWalk &named : namedWalks(row)) {
-                if (goesByRows && named.bugs.hasOrder())
+                if (goesByRows && named.bugs.hasOrder() && !isSameFromBelow(named.bugs))
                     addFromBothEnds(named);
                 else
                     add(withWays(named, SpanOrder::Ascending));

@@ -20,8 +20,10 @@ struct WalkRow {
 /// Mistakes along a span and in its colours.
 const std::vector<WalkRow> &spanWalkRows();
 const std::vector<WalkRow> &spanColourRows();
-/// Mistakes along edges, in the colours along them and in their divisors.
+/// Mistakes along edges, in what is a whole number there, in the colours along them and in their
+/// divisors.
 const std::vector<WalkRow> &edgeWalkRows();
+const std::vector<WalkRow> &numberWalkRows();
 const std::vector<WalkRow> &edgeColourRows();
 /// Mistakes that distinguish the three edges: where the first short one ends and the second begins,
 /// what the long one does there, and what only one of them has.

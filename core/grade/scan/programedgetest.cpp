@@ -67,8 +67,10 @@ void appendRow(const MistakenEdgeTest &program, const EdgeTestBugs &bugs, std::i
 
 void testAs(const EdgeTestBugs &bugs, TriangleRuns &triangle)
 {
-    if (doubledArea(triangle.triangle) == 0) // without area there are no weights
+    if (doubledArea(triangle.triangle) == 0) { // without area there are no weights
+        triangle.readRight();
         return;
+    }
     const Triangle asGiven = exchanged(triangle.triangle);
     const MistakenEdgeTest program(bugs, asGiven, triangle.rule, triangle.visited,
                                    sideOf(triangle, asGiven));
@@ -76,8 +78,10 @@ void testAs(const EdgeTestBugs &bugs, TriangleRuns &triangle)
     if (!program.hasArea())
         return;
     for (std::int64_t y = std::max(triangle.visited.firstY, triangle.firstSpan);
-         y < std::min(triangle.visited.endY, triangle.endSpan); ++y)
-        appendRow(program, bugs, y, triangle, triangle.runs);
+         y < std::min(triangle.visited.endY, triangle.endSpan); ++y) {
+        if (triangle.isAskedFor(y))
+            appendRow(program, bugs, y, triangle, triangle.runs);
+    }
 }
 
 } // namespace
@@ -85,6 +89,7 @@ void testAs(const EdgeTestBugs &bugs, TriangleRuns &triangle)
 Redrawing redrawingByTests(const EdgeTestBugs &bugs)
 {
     Redrawing redrawing{[bugs](TriangleRuns &triangle) { testAs(bugs, triangle); }};
+    redrawing.findsSamples = true;
     redrawing.edgeTest = std::make_shared<const EdgeTestBugs>(bugs);
     return redrawing;
 }

@@ -15,11 +15,15 @@ struct RunKeeper {
     TriangleRuns &triangle;
     SpanOrder order;
 
+    std::int64_t spanOf(std::int64_t seen) const
+    {
+        return order == SpanOrder::Ascending ? seen : -seen;
+    }
+    bool hears(std::int64_t span) const { return triangle.isAskedFor(spanOf(span)); }
     template <class Numbers>
     bool walked(const MistakenSpan<Numbers> &span)
     {
-        triangle.runs.push_back({order == SpanOrder::Ascending ? span.span : -span.span,
-                                 span.samples.firstDrawn, span.samples.endDrawn,
+        triangle.runs.push_back({spanOf(span.span), span.samples.firstDrawn, span.samples.endDrawn,
                                  std::move(span.levels.whole), span.samples.firstDrawn});
         triangle.isRefused
             = span.isFinal && triangle.mayBe && !triangle.mayBe(triangle.runs.back());
@@ -62,7 +66,12 @@ bool walkAs(TriangleRuns &triangle, const ScanBugs &bugs)
 
 Redrawing redrawingBy(const ScanBugs &bugs)
 {
-    Redrawing redrawing{[bugs](TriangleRuns &triangle) { walkAs(triangle, bugs); }, bugs.overflow};
+    const auto walk = [bugs](TriangleRuns &triangle) {
+        if (!walkAs(triangle, bugs))
+            triangle.readRight();
+    };
+    Redrawing redrawing{walk, bugs.overflow};
+    redrawing.findsSamples = true;
     redrawing.walk = std::make_shared<const ScanBugs>(bugs);
     return redrawing;
 }

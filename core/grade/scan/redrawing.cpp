@@ -53,7 +53,7 @@ Picture rightPicture(const Scene &alone, const RoundingSide &side)
         return boundedPicture(alone, side);
     Picture picture = emptyPicture(alone.frame);
     RedrawnTriangle(
-        alone, redrawingBy({}), [&alone] { return pictureOf(alone); }, side)
+        SeenTriangles(alone), 0, redrawingBy({}), [&alone] { return pictureOf(alone); }, side)
         .paintOn(picture, Repainting::Over, alone.frame.background);
     return picture;
 }
@@ -83,39 +83,42 @@ Scene shapeAlone(const Scene &scene, std::size_t shape)
     return alone;
 }
 
-Picture redrawn(const Scene &scene, const Redrawing &redrawing)
+Picture redrawn(const Scene &scene, const Redrawing &redrawing, const ChosenSpans *chosen)
 {
-    Picture picture = emptyPicture(scene.frame);
+    Picture picture = chosen ? emptyPicture(scene.frame, *chosen) : emptyPicture(scene.frame);
+    const SeenTriangles seen(scene, chosen);
     for (std::size_t i = 0; i < scene.triangles.size(); ++i) {
-        const Scene alone = triangleAlone(scene, i);
-        RedrawnTriangle(alone, redrawing, [&alone] {
-            return pictureOf(alone);
+        RedrawnTriangle(seen, i, redrawing, [&, i] {
+            const Scene alone = triangleAlone(scene, i);
+            return chosen ? pictureOf(alone, *chosen) : pictureOf(alone);
         }).paintOn(picture, redrawing.repainting, scene.frame.background);
     }
     return picture;
 }
 
 bool differsAtOnce(const Scene &scene, const Redrawing &redrawing, const Picture &found,
-                   std::int64_t limit)
+                   std::int64_t limit, const ChosenSpans *chosen)
 {
     const bool isSeen
         = redrawing.walk && redrawing.repainting == Repainting::Over && !scene.triangles.empty();
     if (!isSeen)
         return false;
-    const Scene last = triangleAlone(scene, scene.triangles.size() - 1);
-    return RedrawnTriangle(last, redrawing, found, limit).isRefused();
+    return RedrawnTriangle(SeenTriangles(scene, chosen), scene.triangles.size() - 1, redrawing,
+                           found, limit)
+        .isRefused();
 }
 
 PictureRange redrawnRange(const Scene &scene, const Redrawing &redrawing, Arithmetic arithmetic)
 {
     PictureRange range;
     const auto sides = roundingSides(arithmetic);
+    const SeenTriangles seen(scene);
     for (std::size_t side = 0; side < sides.size(); ++side) {
         range.sides[side] = emptyPicture(scene.frame);
         for (std::size_t i = 0; i < scene.triangles.size(); ++i) {
-            const Scene alone = triangleAlone(scene, i);
             RedrawnTriangle(
-                alone, redrawing, [&] { return rightPicture(alone, sides[side]); }, sides[side])
+                seen, i, redrawing,
+                [&] { return rightPicture(triangleAlone(scene, i), sides[side]); }, sides[side])
                 .paintOn(range.sides[side], redrawing.repainting, scene.frame.background);
         }
     }

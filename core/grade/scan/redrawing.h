@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/grade/pictures/chosenspans.h"
 #include "core/grade/pictures/picturerange.h"
 #include "core/methods/method.h"
 #include "core/scan/boundaryrule.h"
@@ -28,10 +29,14 @@ struct TriangleRuns : WalkedTriangle {
     BoundaryRule rule = FillRule::Closed;
     SampleBox visited; ///< the bounding box as the program rounds it; x is a column
     std::vector<SampleRun> runs; ///< in painting order
+    std::function<void()> readRight = {}; ///< makes the runs those of the right picture
+    const ChosenSpans *chosen = nullptr; ///< no others are asked for; null: all are
     std::optional<RoundingSide> side = {}; ///< the walk's side of rounding; none: its own numbers
     /// Whether the walk goes on after a run that nothing paints over later; none: always.
     std::function<bool(const SampleRun &run)> mayBe = {};
     bool isRefused = false; ///< the walk ended there
+
+    bool isAskedFor(std::int64_t span) const { return !chosen || chosen->contains(span); }
 };
 
 /// A triangle with x and y exchanged.
@@ -66,19 +71,23 @@ struct Redrawing {
     std::shared_ptr<const ScanBugs> walk = {}; ///< set if the change is only a walk with these
     std::shared_ptr<const EdgeTestBugs> edgeTest = {}; ///< set if the change is only this test
     VisitedBox box = VisitedBox::OfScene;
+    bool findsSamples = false; ///< the change begins with a walk or a test, and needs no runs
 };
 
 /// The redrawing of a program that has both mistakes; none where they change the same decision. The
 /// one that walks the triangle or tests samples comes first, then the other leaves samples out.
 std::optional<Redrawing> together(const Redrawing &one, const Redrawing &other);
 
-/// The scene's triangles, each drawn by the scene's method and then changed.
-Picture redrawn(const Scene &scene, const Redrawing &redrawing);
+/// The scene's triangles, each drawn by the scene's method and then changed; whole, or only chosen
+/// spans of the method's.
+Picture redrawn(const Scene &scene, const Redrawing &redrawing,
+                const ChosenSpans *chosen = nullptr);
 
 /// Whether certainly as many pixels as the limit differ from the picture found, as far as that
-/// shows in the last triangle of a walk, which nothing paints over; drawn only until they do.
+/// shows in the last triangle of a walk, which nothing paints over; drawn only until they do. The
+/// picture may be that of chosen spans.
 bool differsAtOnce(const Scene &scene, const Redrawing &redrawing, const Picture &found,
-                   std::int64_t limit);
+                   std::int64_t limit, const ChosenSpans *chosen = nullptr);
 
 /// What programs with this redrawing draw in arithmetic up to this one. The scene's own is ignored.
 PictureRange redrawnRange(const Scene &scene, const Redrawing &redrawing, Arithmetic arithmetic);

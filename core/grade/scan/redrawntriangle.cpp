@@ -29,30 +29,33 @@ SampleBox boxOf(const Triangle &triangle, const Scene &scene, VisitedBox box)
 
 } // namespace
 
-RedrawnTriangle::RedrawnTriangle(const Scene &alone, const Redrawing &redrawing,
-                                 std::function<Picture()> drawRight,
+RedrawnTriangle::RedrawnTriangle(const SeenTriangles &seen, std::size_t triangle,
+                                 const Redrawing &redrawing, std::function<Picture()> drawRight,
                                  const std::optional<RoundingSide> &side)
-    : m_frame(alone.frame)
+    : m_frame(seen.scene.frame)
     , m_overflow(redrawing.overflow)
     , m_bytes(redrawing.bytes)
     , m_drawRight(std::move(drawRight))
 {
     m_runs.side = side;
-    see(alone, redrawing.box);
+    see(seen, triangle, redrawing.box);
     const bool isWalked = redrawing.walk && walkAs(m_runs, *redrawing.walk);
     if (isWalked)
         return;
-    readRuns();
+    m_runs.readRight = [this] { readRuns(); };
+    if (!redrawing.findsSamples)
+        readRuns();
     redrawing.change(m_runs);
 }
 
-RedrawnTriangle::RedrawnTriangle(const Scene &alone, const Redrawing &redrawing,
-                                 const Picture &found, std::int64_t limit)
-    : m_frame(alone.frame)
+RedrawnTriangle::RedrawnTriangle(const SeenTriangles &seen, std::size_t triangle,
+                                 const Redrawing &redrawing, const Picture &found,
+                                 std::int64_t limit)
+    : m_frame(seen.scene.frame)
     , m_overflow(redrawing.overflow)
     , m_bytes(redrawing.bytes)
 {
-    see(alone, redrawing.box);
+    see(seen, triangle, redrawing.box);
     m_runs.mayBe = [&, left = limit](const SampleRun &run) mutable {
         left -= differingIn(found, run);
         return left > 0;
@@ -61,22 +64,27 @@ RedrawnTriangle::RedrawnTriangle(const Scene &alone, const Redrawing &redrawing,
         walkAs(m_runs, *redrawing.walk);
 }
 
-void RedrawnTriangle::see(const Scene &alone, VisitedBox box)
+void RedrawnTriangle::see(const SeenTriangles &seen, std::size_t place, VisitedBox box)
 {
-    const SpanAxis axis = methodNamed(QString::fromStdString(alone.method))->spanAxis;
-    m_goesByRows = axis != SpanAxis::Column;
-    const Triangle triangle = primitivesOnSamples(alone).triangles.front();
+    const Scene &scene = seen.scene;
+    m_goesByRows = seen.axis != SpanAxis::Column;
+    const Triangle &triangle = seen.onSamples[place];
     m_runs.triangle = m_goesByRows ? exchanged(triangle) : triangle;
     m_runs.firstSample = m_goesByRows ? m_frame.firstColumn : m_frame.firstRow;
     m_runs.endSample = m_runs.firstSample + (m_goesByRows ? m_frame.width : m_frame.height);
     m_runs.firstSpan = m_goesByRows ? m_frame.firstRow : m_frame.firstColumn;
     m_runs.endSpan = m_runs.firstSpan + (m_goesByRows ? m_frame.height : m_frame.width);
-    m_runs.settings = alone.settings;
-    const BoundaryRule rule = boundaryRuleOf(alone);
+    m_runs.chosen = seen.chosen;
+    if (seen.chosen) {
+        m_runs.firstSpan = seen.chosen->spans().front();
+        m_runs.endSpan = seen.chosen->spans().back() + 1;
+    }
+    m_runs.settings = scene.settings;
+    const BoundaryRule rule = boundaryRuleOf(scene);
     m_runs.rule = rule;
-    m_runs.visited = boxOf(triangle, alone, box);
+    m_runs.visited = boxOf(triangle, scene, box);
     m_runs.intervals = columnIntervals(rule.rule);
-    if (axis == SpanAxis::Row) {
+    if (seen.axis == SpanAxis::Row) {
         m_runs.order = SpanOrder::Descending;
         m_runs.intervals = {reversed(rowIntervals(rule).columns), rowIntervals(rule).rows};
     }
@@ -136,12 +144,22 @@ std::optional<std::size_t> RedrawnTriangle::indexOf(std::int64_t span, std::int6
         && row - m_frame.firstRow < m_frame.height;
     if (!isInside)
         return std::nullopt;
+    if (m_runs.chosen) {
+        const ChosenSpans &chosen = *m_runs.chosen;
+        if (!chosen.contains(span))
+            return std::nullopt;
+        return m_goesByRows
+            ? chosen.placeOf(span) * std::size_t(m_frame.width) + std::size_t(column)
+            : std::size_t(pictureLine(m_frame, row)) * chosen.spans().size() + chosen.placeOf(span);
+    }
     return std::size_t(pictureLine(m_frame, row) * m_frame.width + column);
 }
 
 void RedrawnTriangle::readRuns()
 {
     for (std::int64_t span = m_runs.firstSpan; span < m_runs.endSpan; ++span) {
+        if (!m_runs.isAskedFor(span))
+            continue;
         std::optional<SampleRun> run;
         for (std::int64_t place = m_runs.firstSample; place < m_runs.endSample; ++place) {
             if (right().covered[*indexOf(span, place)] == 0)
@@ -164,18 +182,20 @@ std::uint8_t RedrawnTriangle::byteOf(std::int64_t level) const
 
 Colour RedrawnTriangle::colourAt(const SampleRun &run, std::int64_t place, std::size_t index) const
 {
-    const bool isOwn = run.levels.empty() && right().covered[index] != 0;
+    const auto inBytes = [this](const WholeLevels &levels) {
+        Colour colour;
+        for (std::size_t i = 0; i < 3; ++i)
+            colour.channels[i] = byteOf(levels[i]);
+        return colour;
+    };
+    if (!run.levels.empty())
+        return inBytes(run.levels[std::size_t(place - run.firstLevelled)]);
+    const bool isOwn = right().covered[index] != 0;
     if (isOwn && m_bytes.isRight())
         return right().colours[index];
     const bool isOfPlane = m_runs.settings.isRight();
-    const WholeLevels levels = !run.levels.empty()
-        ? run.levels[std::size_t(place - run.firstLevelled)]
-        : isOwn && !isOfPlane ? levelsOf(right().colours[index])
-                              : planeAt(run.span, place);
-    Colour colour;
-    for (std::size_t i = 0; i < 3; ++i)
-        colour.channels[i] = byteOf(levels[i]);
-    return colour;
+    return inBytes(isOwn && !isOfPlane ? levelsOf(right().colours[index])
+                                       : planeAt(run.span, place));
 }
 
 /// The levels of a right byte, of which only the nearest level is known.

@@ -6,24 +6,40 @@
 
 namespace pixelplumb {
 
-/// A scene's only triangle, redrawn: its samples in painting order.
+/// A scene's triangles on its samples, which are redrawn one by one, whole or only in chosen spans.
+struct SeenTriangles {
+    explicit SeenTriangles(const Scene &of, const ChosenSpans *in = nullptr)
+        : scene(of)
+        , chosen(in)
+        , axis(methodNamed(QString::fromStdString(of.method))->spanAxis)
+        , onSamples(primitivesOnSamples(of).triangles)
+    {
+    }
+
+    const Scene &scene;
+    const ChosenSpans *chosen; ///< null: all
+    SpanAxis axis;
+    std::vector<Triangle> onSamples;
+};
+
+/// One triangle of a scene, redrawn: its samples in painting order.
 class RedrawnTriangle {
 public:
     /// Changes the right picture, on a side of rounding if one is given. A walk draws everything
     /// itself and needs no right picture.
-    RedrawnTriangle(const Scene &alone, const Redrawing &redrawing,
+    RedrawnTriangle(const SeenTriangles &seen, std::size_t triangle, const Redrawing &redrawing,
                     std::function<Picture()> drawRight,
                     const std::optional<RoundingSide> &side = {});
 
     /// Draws only until as many samples as the limit differ from the picture found.
-    RedrawnTriangle(const Scene &alone, const Redrawing &redrawing, const Picture &found,
-                    std::int64_t limit);
+    RedrawnTriangle(const SeenTriangles &seen, std::size_t triangle, const Redrawing &redrawing,
+                    const Picture &found, std::int64_t limit);
     bool isRefused() const { return m_runs.isRefused; }
 
     void paintOn(Picture &picture, Repainting repainting, const Colour &background) const;
 
 private:
-    void see(const Scene &alone, VisitedBox box);
+    void see(const SeenTriangles &seen, std::size_t place, VisitedBox box);
     /// A run's samples in the frame, and where the first one and each next one is in a picture.
     struct RunPlaces {
         std::int64_t first = 0, end = 0;

@@ -94,6 +94,7 @@ public:
         m_observer.primitiveBegun(setUp);
     }
 
+    static bool hears(std::int64_t) { return true; }
     template <class Numbers>
     bool walked(const MistakenSpan<Numbers> &span)
     {

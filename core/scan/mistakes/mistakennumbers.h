@@ -69,7 +69,7 @@ struct MistakenNumbers {
                 ramp.error = ramp.error + carried->errors[i];
                 behind.errors[i] = behind.errors[i] + carried->errors[i];
             }
-            if (bugs.spanStoring != Storing::BehindSteps)
+            if (bugs.spanStoring != Storing::BehindSteps && !isOfAdded(bugs.spanStoring))
                 ramp.level = leftOf(ramp.level, bugs.levels);
             if (bugs.spanStepping == Stepping::BeforeDrawing)
                 stepBy(ramp.level, ramp.step);
@@ -88,14 +88,14 @@ private:
         return level;
     }
 
-    /// A level along a span: at one sample, its step, and its possible error.
+    /// A level along a span: at one sample, its step, its possible error, and at the bound.
     struct Ramp {
-        Value level, step, error;
+        Value level, step, error, from;
     };
 
     static Value levelAt(const Edge &edge, std::size_t channel, Truncation kept)
     {
-        return leftOf(edge.colour()[channel], kept);
+        return leftOf(edge.level(channel), kept);
     }
 
     static std::array<Value, 3> ratesOf(const Bounds &bounds, const Value &height,
@@ -126,12 +126,12 @@ private:
             : leftOf(rates[sourceOf(channel, bugs.stepsAlongSpansOf)], bugs.steps);
         const Value from = startOf(bounds, bugs, channel);
         if (bugs.withoutSpanPreStep.contains(channel))
-            return {from, step, none};
+            return {from, step, none, from};
         const PreStep preStep = bugs.spanPreStep;
         const Value way = preStepOf(bounds.lower.place(), reached, preStep);
         const Value preStepped
             = preStep == PreStep::WithoutRate ? way : way * leftOf(rates[channel], bugs.preSteps);
-        return {from + preStepped, step, none};
+        return {from + preStepped, step, none, from};
     }
 
     /// R at the bound, or what replaces it.
@@ -154,8 +154,9 @@ private:
     {
         const ScanBugs &bugs = program.bugs();
         const bool goesOn = bugs.spanStart != SpanStart::AtBound;
+        const bool isOfSum = isOfAdded(bugs.spanStoring) && bugs.levels != Truncation::All;
         const Truncation kept
-            = bugs.spanStoring == Storing::FirstAlone ? Truncation::All : bugs.levels;
+            = bugs.spanStoring == Storing::FirstAlone || isOfSum ? Truncation::All : bugs.levels;
         Value level = ramp.level;
         std::int64_t place = reached;
         if (kept == Truncation::All && !goesOn && reached != span.firstDrawn) {
@@ -165,7 +166,7 @@ private:
         levels.first[channel] = level;
         levels.step[channel] = ramp.step;
         if constexpr (std::is_same_v<Value, Fraction>) {
-            if (kept == Truncation::All && !goesOn) {
+            if (kept == Truncation::All && !goesOn && !isOfSum) {
                 storeExactly(ramp, level, program.rounding(), levels, channel);
                 return level;
             }
@@ -175,10 +176,12 @@ private:
                 levels.first[channel] = level;
             if (place >= span.firstDrawn && place < span.endDrawn) {
                 const auto sample = std::size_t(place - span.firstDrawn);
+                const Value drawn
+                    = isOfSum ? ramp.from + leftOf(level - ramp.from, bugs.levels) : level;
                 levels.whole[sample][channel] = wholeLevel(
-                    std::is_same_v<Value, double> ? level + ramp.error : level, program.rounding());
+                    std::is_same_v<Value, double> ? drawn + ramp.error : drawn, program.rounding());
                 if (levels.hasNumbers)
-                    levels.own[sample][channel] = level;
+                    levels.own[sample][channel] = drawn;
             }
             stepBy(level, ramp.step);
             if (kept != Truncation::All)

@@ -28,7 +28,8 @@ struct MistakenSpan {
 /// Walks a triangle's spans from the first vertex to the last, in one number type. The receiver has
 ///   detail                     what it reads of a span's levels;
 ///   begun(order, spans, edges) what is computed once, if it reads numbers;
-///   walked(span)               a span of the frame; false ends the walk.
+///   hears(span)                whether it asks for that span of the frame;
+///   walked(span)               a span that it hears; false ends the walk.
 template <class Numbers, class Receiver>
 class MistakenScan {
     using Edge = typename Numbers::Edge;
@@ -164,8 +165,14 @@ private:
                     each->stepColour();
             }
         };
+        const bool arePassed
+            = m_bugs.spanStart == SpanStart::AtBound && m_bugs.emptySpans == EmptySpan::Steps;
         for (std::int64_t span = first; span < end && !m_hasEnded; ++span) {
             step(Stepping::BeforeDrawing);
+            if (arePassed && !m_receiver.hears(span)) {
+                step(Stepping::AfterDrawing);
+                continue;
+            }
             const bool isAcrossUpper = isUpper(across, along);
             const WalkedSpan samples
                 = samplesOf(isAcrossUpper ? along : across, isAcrossUpper ? across : along);
@@ -237,7 +244,8 @@ private:
     void addSpan(ColumnHalf half, std::int64_t span, const WalkedSpan &samples, bool isAcrossUpper,
                  const typename Numbers::Bounds &bounds)
     {
-        const bool isInFrame = span >= m_seen.firstSpan && span < m_seen.endSpan;
+        const bool isInFrame
+            = span >= m_seen.firstSpan && span < m_seen.endSpan && m_receiver.hears(span);
         const bool isDrawn = isInFrame && samples.firstDrawn < samples.endDrawn;
         const bool isHeard = isDrawn || (isInFrame && Receiver::detail == LevelDetail::Numbers);
         if (!isHeard && m_bugs.spanStart == SpanStart::AtBound)

@@ -30,6 +30,8 @@ public:
             return m_program.spanOf(x, EndRounding::Nearest);
         case SpanEnd::OneMore:
             return byRule - 1;
+        case SpanEnd::AtZero:
+            return 0;
         }
         return byRule;
     }
@@ -49,6 +51,8 @@ public:
             return m_program.spanOf(x, EndRounding::Nearest) + behind;
         case SpanEnd::OneMore:
             return endSampleAt(x, columns) + 1;
+        case SpanEnd::AtZero:
+            return 1;
         }
         return endSampleAt(x, columns);
     }

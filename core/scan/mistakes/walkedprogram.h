@@ -231,6 +231,8 @@ std::int64_t firstOf(const Edge &lower, EndRounding rounding, bool owns)
         return lower.nearest();
     case EndRounding::Up:
         return lower.ceil();
+    case EndRounding::AtZero:
+        return 0;
     }
     return owns ? lower.ceil() : lower.floor() + 1;
 }

@@ -154,7 +154,7 @@ public:
         }
         return sum;
     }
-    /// The same on the side, whose errors it has.
+    /// On the side, whose errors it has.
     double levelOnSide(const VertexWeights &weights, std::size_t channel) const
     {
         const auto denominator = double(weights.denominator);
@@ -204,8 +204,10 @@ private:
     {
         const LatticePoint from = positionOf(edge);
         const LatticePoint to = positionOf(edge + 1);
-        const auto whole
-            = [](Int128 square) { return square / squareUnitsPerPixel * squareUnitsPerPixel; };
+        const auto whole = [](Int128 f) { return f / squareUnitsPerPixel * squareUnitsPerPixel; };
+        const auto inShort = [](Int128 square) {
+            return std::int16_t(square / squareUnitsPerPixel) * squareUnitsPerPixel;
+        };
         const Int128 one = Int128(to.x - from.x) * (at.y - from.y);
         const Int128 other = Int128(to.y - from.y) * (at.x - from.x);
         switch (m_bugs.function) {
@@ -218,15 +220,16 @@ private:
         case EdgeFunctionForm::ProductsCut:
             return whole(one) - whole(other);
         case EdgeFunctionForm::CoefficientsCut: {
-            const Int128 a = from.y - to.y;
-            const Int128 b = to.x - from.x;
             const auto cut = [](Int128 length) { return length / unitsPerPixel * unitsPerPixel; };
-            return cut(a) * at.x + cut(b) * at.y + whole(-(a * from.x + b * from.y));
+            const Int128 c = Int128(to.y - from.y) * from.x - Int128(to.x - from.x) * from.y;
+            return cut(from.y - to.y) * at.x + cut(to.x - from.x) * at.y + whole(c);
         }
         case EdgeFunctionForm::ProductsAdded:
             return one + other;
         case EdgeFunctionForm::InShort:
-            return std::int16_t((one - other) / squareUnitsPerPixel) * squareUnitsPerPixel;
+            return inShort(one - other);
+        case EdgeFunctionForm::ProductsInShort:
+            return inShort(one) - inShort(other);
         }
         return one - other;
     }
@@ -280,6 +283,8 @@ private:
             return perX != 0 ? perX > 0 : perY > 0;
         case EdgeOwner::TopRight:
             return perX != 0 ? perX < 0 : perY < 0;
+        case EdgeOwner::AsGiven:
+            return perX != 0 ? perX * turn() > 0 : perY * turn() < 0;
         }
         return true;
     }

@@ -1,7 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/geometry/seededrandom.h"
 #include "core/grade/diagnose/diagnosis.h"
+#include "core/grade/diagnose/frameconvention.h"
+#include "core/grade/diagnose/readconvention.h"
 #include "core/grade/diagnose/sampledspans.h"
+#include "core/grade/scan/redrawing.h"
+#include "core/scan/choicenames.h"
 #include "tests/support/casestorun.h"
 #include "tests/support/testprogram.h"
 
@@ -114,6 +118,53 @@ private slots:
                 QCOMPARE(matcher.distance(set, limit),
                          differingPixels(*picture, found[0].picture, limit));
         }
+    }
+
+    void chosenSpansOfARedrawingAreThoseOfTheWhole_data() { addMethods(); }
+    void chosenSpansOfARedrawingAreThoseOfTheWhole()
+    {
+        QFETCH(QString, method);
+        Scene scene = largeScene(method, 64, 48);
+        scene.frame.firstColumn = 3;
+        scene.frame.firstRow = -2;
+        const ChosenSpans chosen{methodNamed(method)->spanAxis, {5, 6, 17, 30, 44}};
+        for (const Defect &defect : defectsFor(scene)) {
+            if (!defect.redrawing)
+                continue;
+            const Picture whole = redrawn(scene, *defect.redrawing);
+            QVERIFY2(redrawn(scene, *defect.redrawing, &chosen)
+                         == partOf(whole, scene.frame, chosen),
+                     qPrintable(defect.id));
+        }
+        QVERIFY(pictureOf(scene, chosen) == partOf(pictureOf(scene), scene.frame, chosen));
+    }
+
+    void theConventionOfALargePictureIsReadOffSomeColumns()
+    {
+        Scene scene = largeScene(QStringLiteral("column-scan"), 256, 144);
+        const auto between = [](int x, int y) { // pixels, where another centre has samples
+            return Vertex{
+                {Lattice(x) * unitsPerPixel + halfPixel, Lattice(y) * unitsPerPixel + halfPixel},
+                {{90, 200, 10}}};
+        };
+        scene.triangles.push_back({{between(40, 20), between(200, 20), between(40, 100)}});
+        Scene read = sceneIn(scene, FrameConvention::OtherBoth);
+        read.settings.fillRule = FillRule::HalfOpenColumn;
+        Picture found = pictureOf(read);
+        for (std::size_t place = 0; place < found.size(); place += 9)
+            found.colours[place].channels[1] ^= 9;
+        DefectPictures pictures({scene});
+        const std::vector<FoundPicture> all = {{0, found}};
+        const auto convention = readConvention(pictures, all);
+        QVERIFY(convention.has_value());
+        QStringList told;
+        for (const Defect &defect : convention->told)
+            told += defect.id;
+        QCOMPARE(told,
+                 (QStringList{"other-origin-and-centre",
+                              QStringLiteral("rule-") + nameText(nameOf(read.settings.fillRule))}));
+        // Whole, the 79 other conventions would be that many pictures.
+        QVERIFY(pictures.work().pixels < 20 * std::int64_t(found.size()));
     }
 
     /// The work is counted: less than drawing each defect once, and a thousandth of all pairs.

@@ -36,7 +36,8 @@ class Vertex:
 
 
 class Bound:
-    """Where an edge meets the current span, and its increments."""
+    """Where an edge meets the current span, its increments, and the vertex where it begins."""
+    begin = None
 
     def __init__(self, y, m, colour, step):
         self.y, self.m, self.colour, self.step = y, m, colour, step
@@ -51,6 +52,14 @@ class Bound:
 def place(y): return y
 def edge_level(c): return c
 def span_level(c): return c
+
+
+def added(e, keep_y, keep_c):
+    """The bound with what is kept of what it adds to its vertex."""
+    if e.begin is None:
+        return e
+    colour = [c + keep_c(v - c) for c, v in zip(e.begin.colour, e.colour)]
+    return Bound(e.begin.y + keep_y(e.y - e.begin.y), e.m, colour, e.step)
 
 
 def edge(side, a, b, x):
@@ -69,7 +78,9 @@ def edge(side, a, b, x):
     y = place(a.y + way * m)
     colour = [edge_level(c + w * s) for c, w, s in zip(a.colour, ways, steps)]
     r, g, b = steps
-    return Bound(y, m, colour, [r, g, b])
+    bound = Bound(y, m, colour, [r, g, b])
+    bound.begin = a
+    return bound
 
 
 def draw_span(x, short, long):
