@@ -277,8 +277,12 @@ volatile std::sig_atomic_t asked = 0;
 
 extern "C" void noteInterruption(int signal)
 {
+    constexpr char note[] = "\nending with what there is so far; Ctrl-C again ends at once\n";
     asked = 1;
     std::signal(signal, SIG_DFL);
+    const int before = errno;
+    if (write(STDERR_FILENO, note, sizeof note - 1) < 0)
+        errno = before; // nobody is there to read it
 }
 
 } // namespace

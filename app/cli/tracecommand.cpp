@@ -4,6 +4,7 @@
 #include "app/cli/console.h"
 #include "app/cli/files.h"
 #include "core/export/traceexport.h"
+#include "core/runs/spanheadings.h"
 #include "core/space/vertexlight.h"
 
 #include <unistd.h>
@@ -125,7 +126,9 @@ ExitCode traceTo(const CommandLine &line, const TraceRequest &request, const Nam
     const QString &path = named.path;
     const auto traced = tracedWithProgress(*named.run);
     // The columns depend on the effects that the scene calls for, known only now.
-    const QStringList columns = chosenColumns(line, traced->trace->numbers(), request.level);
+    TraceNumbers numbers = traced->trace->numbers();
+    numbers.span = spanHeadings(*traced);
+    const QStringList columns = chosenColumns(line, numbers, request.level);
     const RowChoice rows = chosenRows(line, *traced, request.level);
     reportRejections(path + u", "_s + traced->method->id, rejectedPrimitives(*traced));
 

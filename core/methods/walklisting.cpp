@@ -66,8 +66,9 @@ void WalkListing::nameSortedVerticesByLetters()
 void WalkListing::addSorting()
 {
     const QString sorted = isRow()
-        ? QStringLiteral("sort the vertices by y, the largest first: P₀, P₁, P₂")
-        : QStringLiteral("sort the vertices by x: P₀, P₁, P₂");
+        ? QStringLiteral(
+            "sort the vertices by y, the largest first, those of equal y by x: P₀, P₁, P₂")
+        : QStringLiteral("sort the vertices by x, those of equal x by y: P₀, P₁, P₂");
     addVaried(0, sorted, {SetUp},
               {{VariantSet().with(Variant::UnsortedColours),
                 sorted + QStringLiteral("; R, G, B stay in the order given")}});

@@ -95,6 +95,15 @@ bool hasSampleOn(const ContourEdge &edge, std::int64_t row, const FrameSpec &fra
     return place % pixel == 0 && place / pixel >= first && place / pixel <= last;
 }
 
+/// The rows next to a polygon's vertices.
+std::set<std::int64_t> vertexRowsOf(const Shape &polygon)
+{
+    std::set<std::int64_t> rows;
+    for (const Vertex &vertex : polygon.vertices)
+        rows.insert(floorPixel(vertex.position.y + halfPixel));
+    return rows;
+}
+
 /// The rows of the frame on which a sample lies on an edge of a polygon.
 std::set<std::int64_t> tieRowsOf(const Shape &polygon, const FrameSpec &frame)
 {
@@ -110,6 +119,13 @@ std::set<std::int64_t> tieRowsOf(const Shape &polygon, const FrameSpec &frame)
         }
     }
     return rows;
+}
+
+/// At a walk's ends also where the vertex is on the next row, which is not scanned.
+bool isNextTo(const std::set<std::int64_t> &vertexRows, std::int64_t row, bool isAtEnd)
+{
+    return vertexRows.contains(row)
+        || (isAtEnd && (vertexRows.contains(row - 1) || vertexRows.contains(row + 1)));
 }
 
 /// Whether the spans are steps that a decision parameter leads: p_k, or those of an outline's
@@ -133,17 +149,25 @@ void appendSpanMarks(std::vector<TraceMark> &marks, const TracedScene &traced,
     // Steps along a line or an outline tell by themselves whether they pass between two pixels.
     const bool isStepped
         = traced.primitives.kindOf(primitive) == PrimitiveKind::Line || hasDecisions(trace);
-    const auto tieRows = !isStepped && traced.primitives.kindOf(primitive) == PrimitiveKind::Polygon
-        ? tieRowsOf(traced.primitives.shape(primitive), traced.scene.frame)
-        : std::set<std::int64_t>();
+    const bool isPolygon
+        = !isStepped && traced.primitives.kindOf(primitive) == PrimitiveKind::Polygon;
+    std::set<std::int64_t> tieRows, vertexRows;
+    if (isPolygon) {
+        tieRows = tieRowsOf(traced.primitives.shape(primitive), traced.scene.frame);
+        vertexRows = vertexRowsOf(traced.primitives.shape(primitive));
+    }
+    // A polygon is walked as one part, or in as many as it has triangles.
+    const bool isWhole = isPolygon && trace.placeOf(first).axis == SpanAxis::Row
+        && trace.placeOf(first).part == trace.placeOf(end - 1).part;
     const Triangle upright = isTriangle ? traced.primitives.triangles[primitive] : Triangle();
     const Triangle lying = mirrored(upright);
     std::vector<std::size_t> ends; // of parts, and at vertices
     int part = trace.placeOf(first).part;
     for (std::size_t span = first; span < end; ++span) {
         const SpanPlace &place = trace.placeOf(span);
-        if ((span == first || place.part != part || span + 1 == end)
-            && (!isTriangle || isAtVertex(upright, place))) {
+        const bool isAtEnd = span == first || place.part != part || span + 1 == end;
+        if (isWhole ? isNextTo(vertexRows, place.coordinate, isAtEnd)
+                    : isAtEnd && (!isTriangle || isAtVertex(upright, place))) {
             marks.push_back({trace.indexOfSpan(span), MarkKind::PartBegins});
             ends.push_back(span);
         }

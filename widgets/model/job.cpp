@@ -31,9 +31,29 @@ struct Job::Control {
     }
 };
 
+namespace {
+
+/// A pool that ends with the application.
+QThreadPool *poolOf(QPointer<QThreadPool> &pool, int threads)
+{
+    if (!pool) {
+        pool = new QThreadPool(QCoreApplication::instance());
+        pool->setMaxThreadCount(threads);
+    }
+    return pool;
+}
+
+} // namespace
+
+QThreadPool *jobPool()
+{
+    static QPointer<QThreadPool> pool;
+    return poolOf(pool, QThread::idealThreadCount());
+}
+
 Job::Job(QObject *parent, QThreadPool *pool)
     : QObject(parent)
-    , m_pool(pool ? pool : QThreadPool::globalInstance())
+    , m_pool(pool)
 {
     m_progressTimer.setInterval(50ms);
     m_restTimer.setInterval(0ms);
@@ -110,11 +130,7 @@ void Job::tellProgress()
 QThreadPool *measuringPool()
 {
     static QPointer<QThreadPool> pool;
-    if (!pool) {
-        pool = new QThreadPool(QCoreApplication::instance()); // destroyed with the application
-        pool->setMaxThreadCount(1);
-    }
-    return pool;
+    return poolOf(pool, 1);
 }
 
 QString measuringNote()

@@ -19,6 +19,10 @@ class QThreadPool;
 
 namespace pixelplumb {
 
+/// The pool for jobs. It is not Qt's own, by whose threads QPainter fills large areas: the window
+/// would wait for a job.
+QThreadPool *jobPool();
+
 /// Runs one piece of work at a time in a worker thread; the GUI thread never waits. Newer work
 /// cancels the older, whose outcome is dropped, and begins when that has ended: two large outcomes
 /// are never in memory together.
@@ -26,8 +30,7 @@ class Job : public QObject {
     Q_OBJECT
 
 public:
-    /// Runs in the given pool, else in the program's.
-    explicit Job(QObject *parent = nullptr, QThreadPool *pool = nullptr);
+    explicit Job(QObject *parent = nullptr, QThreadPool *pool = jobPool());
     /// Cancels without waiting: the work must own what it needs.
     ~Job() override;
 

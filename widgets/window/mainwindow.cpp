@@ -57,6 +57,7 @@ MainWindow::MainWindow(QWidget *parent)
 {
     setObjectName(QStringLiteral("mainWindow"));
     setAcceptDrops(true);
+    setAnimated(false); // restoreState() crashes while a dropped panel glides into its place
     m_palettes = new PaletteSwitch(this);
     makeParts();
     makeCentre();

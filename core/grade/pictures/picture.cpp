@@ -4,7 +4,6 @@
 #include "core/runs/tracedscene.h"
 #include "core/scene/asciiraster.h"
 #include "core/scene/files/picturereader.h"
-#include "core/scene/files/pnmfault.h"
 #include "core/scene/text/byteordermark.h"
 
 #include <QImage>
@@ -183,10 +182,8 @@ Result<Picture> parsePicture(const QByteArray &given, const QString &name, const
                           QStringLiteral("a whole file")};
     };
     PictureReader reader(content);
-    for (const QString &fault : {reader.fault(), pnmFault(content)}) {
-        if (!fault.isEmpty())
-            return broken(fault);
-    }
+    if (!reader.fault().isEmpty())
+        return broken(reader.fault());
     if (const QByteArray format = reader.format(); !format.isEmpty() && !isPictureFormat(format))
         return InputError{
             name, QStringLiteral("a picture of the kind %1").arg(QString::fromLatin1(format)),

@@ -7,7 +7,6 @@
 #include "core/oracle/oracle.h"
 #include "core/scene/asciiraster.h"
 #include "core/scene/files/picturereader.h"
-#include "core/scene/files/pnmfault.h"
 #include "core/scene/text/byteordermark.h"
 
 #include <QSize>
@@ -54,15 +53,11 @@ std::optional<InputError> objectionToHeader(const QString &name, const QByteArra
     if (!isPictureFormat(format))
         return noPicture(name, output);
     const QSize size = reader.size();
-    if (!size.isValid()) {
-        const QString fault = pnmFault(output);
+    if (!size.isValid())
         return InputError{name,
-                          fault.isEmpty()
-                              ? QStringLiteral("a picture (%1) that is broken or ends early")
-                                    .arg(QString::fromLatin1(format))
-                              : fault,
+                          QStringLiteral("a picture (%1) that is broken or ends early")
+                              .arg(QString::fromLatin1(format)),
                           {}};
-    }
     if (size != QSize(frame.width, frame.height))
         return otherSize(name, size, frame);
     return std::nullopt;

@@ -195,11 +195,17 @@ Result<ProgramTrace> parseWrittenTrace(const QByteArray &text, const FrameSpec &
         }
         WrittenLine line;
         const std::int64_t before = std::ssize(trace.lines) + trace.beyondFrame;
-        if (whole.size() > longestLine || before >= mostLines || !takeLine(words, line))
-            return InputError{QStringLiteral("line %1 of the output").arg(number),
-                              QStringLiteral("“%1”").arg(shownText(content, longestShown)),
-                              QStringLiteral("column x y_B y_T, row y x_L x_R, pixel x y R G B or "
-                                             "triangle n")};
+        const QString place = QStringLiteral("line %1 of the output").arg(number);
+        if (before >= mostLines)
+            return InputError{place, QStringLiteral("one more column, row or pixel"),
+                              QStringLiteral("at most %1 of them").arg(mostLines)};
+        const bool isTooLong = whole.size() > longestLine;
+        if (isTooLong || !takeLine(words, line))
+            return InputError{
+                place, QStringLiteral("“%1”").arg(shownText(content, longestShown)),
+                QStringLiteral("column x y_B y_T, row y x_L x_R, pixel x y R G B or triangle n")
+                    + (isTooLong ? QStringLiteral(", in at most %1 bytes").arg(longestLine)
+                                 : QString())};
         kindOf(line, trace.kinds) = true;
         line.triangle = triangle;
         line.start = start;

@@ -57,13 +57,16 @@ QString incrementFormula(const MidpointStep &step)
                           : stays + QStringLiteral(" − 2") + along + QStringLiteral("²·y_k = ");
 }
 
-/// On the steep arc of an ellipse x_k counts rows and y_k columns.
+/// On the steep arc of an ellipse x_k counts rows and y_k columns; a circle's step is mirrored into
+/// both kinds of octants.
 QString branchText(const MidpointStep &step)
 {
     if (step.down == 0 && step.y == 0)
         return QStringLiteral("y_k stays 0, on the axis");
     if (step.down == 0)
         return QStringLiteral("y_k stays %1").arg(step.y);
+    if (step.isScaled())
+        return QStringLiteral("y_k goes %1 inwards, to %2").arg(step.down).arg(step.y);
     const QString line = step.arc == 0 ? QStringLiteral("row") : QStringLiteral("column");
     return step.down == 1
         ? QStringLiteral("y_k goes a %1 inwards, to %2").arg(line).arg(step.y)

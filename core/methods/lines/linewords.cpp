@@ -53,7 +53,7 @@ QString wholeDecision(const DecisionState &state)
 QString decisionSentence(const DecisionState &state)
 {
     if (!state.isLedByDecision() && state.nextDecision.isNone())
-        return QStringLiteral("The line is the one pixel %1: there is nothing to decide.")
+        return QStringLiteral("The line is one pixel, %1: there is nothing to decide.")
             .arg(pixelText(state.place));
     if (!state.isLedByDecision()) {
         const QString next = QStringLiteral("p_k₊₁ = %1 decides about the next one.")

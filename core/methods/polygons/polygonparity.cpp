@@ -67,7 +67,10 @@ Pseudocode parityPseudocode()
     Pseudocode code = {{0, "edges ← those of the contours that are not horizontal", {SetUp}},
                        {0, "if no sample is to be drawn: done", {Rejected}}};
     std::ranges::move(crossingLines(0), std::back_inserter(code));
-    code.push_back({1, "for each x from ⌈min x_k⌉ to ⌈max x_k⌉ − 1:", samples});
+    code.push_back(
+        {1,
+         "for each x from ⌈min x_k⌉ to ⌈max x_k⌉ − 1: — the kernel passes the x_k in sorted order",
+         samples});
     code.push_back({2, "c, w ← 0, 0", samples});
     code.push_back({2, counted(u'<'), samples, {}, {}, yDown(counted(u'>'))});
     code.push_back({2,

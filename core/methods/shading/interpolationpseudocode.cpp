@@ -50,8 +50,9 @@ QString sortingText(InterpolationForm form)
         return QStringLiteral("the edges from left to right: one long, two short ones that meet in "
                               "the middle vertex");
     return axisOf(form) == SpanAxis::Row
-        ? QStringLiteral("sort the vertices by y, the largest first: P₀, P₁, P₂")
-        : QStringLiteral("sort the vertices by x: P₀, P₁, P₂");
+        ? QStringLiteral(
+            "sort the vertices by y, the largest first, those of equal y by x: P₀, P₁, P₂")
+        : QStringLiteral("sort the vertices by x, those of equal x by y: P₀, P₁, P₂");
 }
 
 Pseudocode columnLines(InterpolationForm form)

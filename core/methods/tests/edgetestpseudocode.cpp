@@ -112,7 +112,7 @@ private:
                                      "box ← from (int)(x_min + ½) to (int)(x_max − ½), y likewise, "
                                      "clipped to the frame"}};
         }
-        addOfSegment(0, "sort the vertices by x: P_l, P_m, P_r", {SetUp});
+        addOfSegment(0, "sort the vertices by x, those of equal x by y: P_l, P_m, P_r", {SetUp});
         add(0, "if no sample is to be drawn: done", {Rejected});
     }
 

@@ -99,13 +99,13 @@ QString directLevel(const EdgeWalkStart &start)
 /// What the levels of a span start from.
 QString startFormula(const EdgeWalkNames &names, const EdgeWalkStart &start, const QString &title)
 {
-    const QString first = start.isClipped ? QStringLiteral("{a}_start")
-                                          : names.coveredSample(SpanBound::Lower, start.covered);
+    const QString covered = names.coveredSample(SpanBound::Lower, start.covered);
+    const QString first = start.isClipped ? QStringLiteral("{a}_start") : covered;
     QString formula = "%_{lo} + (@ − {a}_{lo})·Δ%";
     if (!start.hasPreStep)
         formula = start.isClipped && hasRate(names, start)
             ? QStringLiteral("%_{lo} + ({a}_start − %1)·Δ%")
-                  .arg(names.coveredSample(SpanBound::Lower, start.covered))
+                  .arg(covered.endsWith(u'1') ? u'(' + covered + u')' : covered)
             : QStringLiteral("%_{lo}");
     else if (isDirect(names, start))
         formula = directLevel(start);

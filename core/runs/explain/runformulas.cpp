@@ -29,6 +29,16 @@ public:
                 m_hasOthers[i] = true;
         }
     }
+    /// A sample's levels, which are told where its run has no such numbers, too.
+    void addLevels(const std::vector<NumberDescription> &numbers, const SampleRecord &sample)
+    {
+        for (std::size_t i = sample.cells.size(); i < numbers.size(); ++i) {
+            const auto channel = std::ranges::find(channelLetters, numbers[i].id);
+            m_hasOthers[i] = m_hasOthers[i]
+                || (channel != channelLetters.end()
+                    && !sample.colour[std::size_t(channel - channelLetters.begin())].isNone());
+        }
+    }
     QStringList texts() const
     {
         QStringList texts;
@@ -85,8 +95,10 @@ QStringList sampleFormulas(const TracedScene &traced, const ProgressListener &pr
         const auto numbers = trace.sampleNumbers(span);
         const std::size_t visited
             = std::min(trace.endSampleOf(span) - trace.firstSampleOf(span), samples.size());
-        for (std::size_t place = 0; place < visited; ++place)
+        for (std::size_t place = 0; place < visited; ++place) {
             found.add(numbers[place], samples[place].cells, startOfSample(place));
+            found.addLevels(trace.numbers().sample, samples[place]);
+        }
     }
     return found.texts();
 }

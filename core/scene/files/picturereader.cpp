@@ -2,7 +2,6 @@
 #include "core/scene/files/picturereader.h"
 
 #include "core/frame/framespec.h"
-#include "core/scene/files/pnmfault.h"
 
 #include <QtEndian>
 
@@ -69,7 +68,8 @@ qint64 bytesOfPixels(const QByteArray &content)
 }
 
 /// How many bytes of pixels a BMP file lacks: "a BMP that ends early, 12 of 9216 bytes of pixels
-/// are missing", or that its pixels are compressed; empty for a whole BMP and for other files. Its
+/// are missing", or that its pixels are compressed or have five bits a channel, which its decoder
+/// does not spread over 0 … 255; empty for a whole BMP and for other files. Its
 /// decoder accepts such a file and leaves in the last lines whatever the memory held.
 QString bmpFault(const QByteArray &content)
 {
@@ -81,6 +81,9 @@ QString bmpFault(const QByteArray &content)
     if (!hasCoreHeader(content) && !isUncompressed(fieldAt(content, Compression)))
         return QStringLiteral("a compressed BMP, in which pixels may be left out; save it "
                               "uncompressed");
+    if (!hasCoreHeader(content) && shortFieldAt(content, BitsOfAPixel) == 16)
+        return QStringLiteral(
+            "a BMP of 16 bits a pixel, which have no 256 levels; save it with 24");
     const qint64 needed = bytesOfPixels(content);
     const qint64 missing
         = std::min(needed, fieldAt(content, PixelsOffset) + needed - content.size());
@@ -95,7 +98,7 @@ QString bmpFault(const QByteArray &content)
 
 PictureReader::PictureReader(const QByteArray &content)
     : m_bmpFault(bmpFault(content))
-    , m_content(withSpacedBits(content))
+    , m_content(content)
     , m_buffer(&m_content)
     , m_reader(&m_buffer)
 {
@@ -103,12 +106,21 @@ PictureReader::PictureReader(const QByteArray &content)
     QImageReader::setAllocationLimit(mostMegabytes);
     if (PngPicture::isPng(content))
         m_png.emplace(content);
+    else if (PnmPicture::isPnm(content))
+        m_pnm.emplace(content);
+}
+
+QByteArray PictureReader::format()
+{
+    return m_png ? "png" : m_pnm ? m_pnm->format() : m_reader.format();
 }
 
 QSize PictureReader::size()
 {
     if (m_png)
         return m_png->size();
+    if (m_pnm)
+        return m_pnm->size();
     // Of a BMP whose lines stand from the top down, Qt tells a height below 0.
     const QSize size = m_reader.size();
     return {size.width(), std::abs(size.height())};

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/scene/files/pngpicture.h"
+#include "core/scene/files/pnmpicture.h"
 
 #include <QBuffer>
 #include <QImageReader>
@@ -16,18 +17,19 @@ class PictureReader {
 public:
     explicit PictureReader(const QByteArray &content);
 
-    /// What is wrong with a PNG, as far as it was read, or with a BMP; empty for whole ones and
-    /// other formats.
-    QString fault() const { return m_png ? m_png->fault() : m_bmpFault; }
-    QByteArray format() { return m_png ? "png" : m_reader.format(); } ///< empty: no picture
+    /// What is wrong with it, as far as it was read; empty for whole pictures and for other formats
+    /// than PNG, PNM and BMP.
+    QString fault() const { return m_png ? m_png->fault() : m_pnm ? m_pnm->fault() : m_bmpFault; }
+    QByteArray format(); ///< "png", "ppm", …; empty: no picture
     /// In px, before decoding; not valid: unknown.
     QSize size();
     /// Null where it cannot be decoded.
-    QImage read() { return m_png ? m_png->read() : m_reader.read(); }
-    QString errorString() const { return m_png ? m_png->fault() : m_reader.errorString(); }
+    QImage read() { return m_png ? m_png->read() : m_pnm ? m_pnm->read() : m_reader.read(); }
+    QString errorString() const { return m_png || m_pnm ? fault() : m_reader.errorString(); }
 
 private:
     std::optional<PngPicture> m_png;
+    std::optional<PnmPicture> m_pnm;
     QString m_bmpFault;
     QByteArray m_content;
     QBuffer m_buffer;

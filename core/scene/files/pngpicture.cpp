@@ -32,6 +32,13 @@ std::string plain(QByteArrayView png)
     return kept.append(png.data() + place, std::size_t(png.size() - place));
 }
 
+/// libpng's simplified reader mixes up the levels of such a file's passes (1.6.39).
+bool isInterlacedWith16Bits(const std::string &png)
+{
+    constexpr std::size_t depthPlace = 24, interlacePlace = 28; // in the header chunk, the first
+    return png.size() > interlacePlace && png[depthPlace] == 16 && png[interlacePlace] == 1;
+}
+
 } // namespace
 
 bool PngPicture::isPng(const QByteArray &content) { return content.startsWith(signature); }
@@ -63,7 +70,11 @@ QImage PngPicture::read()
     m_image.format // QRgb in memory
         = QSysInfo::ByteOrder == QSysInfo::LittleEndian ? PNG_FORMAT_BGRA : PNG_FORMAT_ARGB;
     if (png_image_finish_read(&m_image, nullptr, picture.bits(), 0, nullptr) != 0)
-        return picture;
+        return isInterlacedWith16Bits(m_content)
+            ? QImage::fromData(
+                  QByteArray::fromRawData(m_content.data(), qsizetype(m_content.size())), "png")
+                  .convertToFormat(picture.format())
+            : picture;
     keepFault();
     return {};
 }

@@ -303,6 +303,21 @@ private slots:
         QVERIFY2(alongSegment.contains(QStringLiteral("(x − x")), qPrintable(alongSegment));
     }
 
+    /// The second triangle has one colour, which is neither carried nor divided.
+    void levelsThatNoFormulaGivesAreTold()
+    {
+        Scene scene = smallTriangle("column-scan");
+        scene.triangles.push_back({{{{latticePixel(2, 1), {{128, 128, 128}}},
+                                     {latticePixel(9, 1), {{128, 128, 128}}},
+                                     {latticePixel(8, 9), {{128, 128, 128}}}}}});
+        scene.attributes.resize(2);
+        for (std::size_t i = 0; i < 6; ++i)
+            scene.attributes[i / 3].vertices[i % 3].w = Attribute(1 + i % 3) * attributeOne;
+        scene.attributes[1].triangle = 1;
+        QCOMPARE(formulasOf(scene, TraceLevel::Pixel)[QStringLiteral("R")],
+                 QStringLiteral("R = R_w/q; other values by no formula of this list"));
+    }
+
     /// All formulas of each number, and no formula that no step has.
     void givesTheFormulasThatTheStepsAreExplainedBy()
     {

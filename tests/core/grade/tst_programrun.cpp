@@ -499,7 +499,10 @@ private slots:
             "neither a picture nor lines");
         row("a line that is none", "column 1 2 3\ncolumn 1 2\n", "line 2 of the output");
         row("a NUL", QByteArray("pixel 1\0 1 2 3 4\n", 17), "line 1 of the output");
-        row("a long line", "column 1 2 3" + QByteArray(1000, ' ') + "\n", "line 1 of the output");
+        row("a long line", "column 1 2 3" + QByteArray(1000, ' ') + "\n",
+            "or triangle n, in at most 200 bytes");
+        row("too many lines", QByteArray("row 0 0 1\n").repeated(4'194'305),
+            "line 4194305 of the output: one more column, row or pixel; expected at most 4194304");
         row("too large a coordinate", "pixel 99999999999 0 1 2 3\n", "line 1 of the output");
     }
     void itsOutputIsNotTrusted()

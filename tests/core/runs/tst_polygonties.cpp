@@ -11,7 +11,29 @@ namespace tst_polygonties {
 
 using namespace pixelplumb;
 
-/// The rows on which samples lie on a polygon's edges are marked in the timeline.
+namespace {
+
+/// The rows of marks of a kind, of a polygon by parity in a frame of 10 × 8 pixels.
+QList<int> rowsMarked(const QByteArray &contour, MarkKind kind)
+{
+    const QByteArray text = "{ 'pixelplumb': 1, 'frame': { 'width': 10, 'height': 8 }, 'method': "
+                            "'polygon-parity', 'primitives': [ { 'polygon': "
+        + contour + ", 'fill': 'even-odd', 'color': '#ffffff' } ] }";
+    const auto traced = traceScene(readScene(QByteArray(text).replace('\'', '"'))->scene);
+    QList<int> rows;
+    for (const TraceMark &mark : traced->marks) {
+        if (mark.kind == kind)
+            rows.append(
+                int(traced->trace->placeOf(traced->trace->stepAt(mark.step).span).coordinate));
+    }
+    std::ranges::sort(rows);
+    return rows;
+}
+
+} // namespace
+
+/// The rows on which samples lie on a polygon's edges, and those of its vertices, are marked in the
+/// timeline.
 class TestPolygonTies : public QObject {
     Q_OBJECT
 
@@ -36,21 +58,16 @@ private slots:
     {
         QFETCH(QByteArray, contour);
         QFETCH(QList<int>, rows);
-        const QByteArray text
-            = "{ 'pixelplumb': 1, 'frame': { 'width': 10, 'height': 8 }, 'method': "
-              "'polygon-parity', 'primitives': [ { 'polygon': "
-            + contour + ", 'fill': 'even-odd', 'color': '#ffffff' } ] }";
-        const auto read = readScene(QByteArray(text).replace('\'', '"'));
-        QVERIFY2(read.isOk(), read ? "" : qPrintable(read.error().message()));
-        const auto traced = traceScene(read->scene);
-        QList<int> marked;
-        for (const TraceMark &mark : traced->marks) {
-            if (mark.kind == MarkKind::Tie)
-                marked.append(
-                    int(traced->trace->placeOf(traced->trace->stepAt(mark.step).span).coordinate));
-        }
-        std::ranges::sort(marked);
-        QCOMPARE(marked, rows);
+        QCOMPARE(rowsMarked(contour, MarkKind::Tie), rows);
+    }
+
+    /// Its lowest vertices lie on the row below the first that is scanned.
+    void theRowsOfItsVerticesAreMarked()
+    {
+        QCOMPARE(rowsMarked("[[1, 1], [8, 1], [8, 7], [5, 3], [1, 5]]", MarkKind::PartBegins),
+                 (QList<int>{2, 3, 5, 7}));
+        const QByteArray cut = "[[1, -9], [8, -9], [8, 90], [5, 3], [1, 50]]";
+        QCOMPARE(rowsMarked(cut, MarkKind::PartBegins), QList<int>{3});
     }
 };
 

@@ -178,7 +178,7 @@ std::pair<std::int64_t, std::int64_t> ListingState::frameAlong(const QString &co
 /// Vertices of equal x are ordered by y, those of equal y by x. The names that they get may be new.
 void ListingState::sortVertices(const QString &statement, ListingNames &names)
 {
-    const bool isByY = statement.contains(QStringLiteral("by y"));
+    const bool isByY = statement.startsWith(QStringLiteral("sort the vertices by y"));
     std::array<std::array<Number, 5>, 3> vertices; // in the order x, y, R, G, B
     const QString letters = QStringLiteral("xyRGB");
     for (std::size_t vertex = 0; vertex < 3; ++vertex)

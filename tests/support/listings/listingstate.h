@@ -14,7 +14,8 @@ namespace pixelplumb {
 ///   A, B ← C, D        add A, B to C, D        A ← B; C and D likewise
 ///   A ← 1 if B > 0, else −1        A, B ← C, D if E > 0, else D, C
 ///   L_ij ← L₀₁ if x < x₁, else L₁₂            the edge whose digits i and j are from here on
-///   sort the vertices by x: P₀, P₁, P₂        or "by y, the largest first"
+///   sort the vertices by x, those of equal x by y: P₀, P₁, P₂
+///                                             or "by y, the largest first, those of equal y by x"
 ///   exchange x and y, here and where a pixel is written
 ///   exchange i and j                          the digits of the edge
 ///   A[B] ← C                                  a value for each B

@@ -137,6 +137,14 @@ void CheckedRuns::forEachOf(const Method &method,
         scene.settings.variants = variants;
         for (const Arithmetic arithmetic : arithmetics)
             lookAt(RunOrigin::Variant, QStringLiteral("departing"), scene, arithmetic);
+        Scene cut = sceneCutByItsFrame();
+        cut.method = method.id.toStdString();
+        cut.settings.variants = variants;
+        cut.settings.arithmetic = arithmetics.front();
+        for (const FillRule rule : method.fillRules) {
+            cut.settings.fillRule = rule;
+            look(checkedRunOf(QStringLiteral("cut by its frame"), RunOrigin::Variant, cut));
+        }
     }
     for (std::size_t i = 0; i < m_cases.size(); ++i) {
         Scene scene = m_cases[i].second;

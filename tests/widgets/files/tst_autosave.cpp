@@ -6,6 +6,7 @@
 #include "tests/support/window/openwindow.h"
 #include "widgets/files/autosave.h"
 #include "widgets/files/scenefiles.h"
+#include "widgets/model/job.h"
 #include "widgets/model/scenedocument.h"
 
 #include <QtTest>
@@ -90,7 +91,7 @@ private slots:
             kept.document.clear();
             QTest::qWait(5); // another file may be in progress
         }
-        QVERIFY(QThreadPool::globalInstance()->waitForDone());
+        QVERIFY(jobPool()->waitForDone());
         QVERIFY(QDir(folder.path()).isEmpty());
     }
 

@@ -9,6 +9,7 @@
 #include "widgets/files/sceneexports.h"
 #include "widgets/files/scenefiles.h"
 #include "widgets/files/svgexport.h"
+#include "widgets/model/job.h"
 #include "widgets/model/playhead.h"
 #include "widgets/model/scenedocument.h"
 
@@ -239,7 +240,7 @@ private slots:
 
         QVERIFY(!exports->writing().isRunning());
         QCOMPARE(notices[0][0].toString(), u"pixels.json was not written."_s);
-        QVERIFY(QThreadPool::globalInstance()->waitForDone());
+        QVERIFY(jobPool()->waitForDone());
         QCoreApplication::processEvents();
         QVERIFY(QDir(folder.path()).isEmpty());
         QCOMPARE(notices.size(), 1);

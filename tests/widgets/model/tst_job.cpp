@@ -61,6 +61,30 @@ private slots:
         QCOMPARE(int(mostUnderWay), 1);
     }
 
+    /// Qt fills large areas by the threads of its own pool.
+    void theWindowPaintsWhileEveryThreadOfThePoolIsBusy()
+    {
+        const Gate gate;
+        const auto waiting = [gate](const ProgressListener &) {
+            return gate.passes([](const JobProgress &) { return true; }, {});
+        };
+        std::vector<std::unique_ptr<Job>> jobs;
+        for (int i = 0; i < 2 * jobPool()->maxThreadCount(); ++i)
+            jobs.emplace_back(std::make_unique<Job>())->start(waiting, [](bool) {});
+        QTRY_COMPARE_WITH_TIMEOUT(jobPool()->activeThreadCount(), jobPool()->maxThreadCount(),
+                                  timeout);
+        std::thread rescue([gate] {
+            for (int i = 0; i < 10'000 && !*gate.isOpen; ++i)
+                std::this_thread::sleep_for(1ms);
+            gate.open();
+        });
+        QImage picture(2000, 2000, QImage::Format_ARGB32_Premultiplied);
+        QPainter(&picture).fillRect(picture.rect(), QColor(10, 20, 30, 128));
+        const bool wasRescued = gate.isOpen->exchange(true);
+        rescue.join();
+        QVERIFY(!wasRescued);
+    }
+
     void aCancelledJobEndsAtOnceAndItsOutcomeIsDropped()
     {
         Job job;

@@ -391,6 +391,27 @@ private slots:
         }
     }
 
+    /// Also where a panel that was just dropped would still glide into its place.
+    void aWorkspaceIsLeftRightAfterAPanelWasDropped()
+    {
+        const auto window = windowOf(QSize(1016, 600));
+        const auto drag = [&window](const char *name, const QPoint &to) {
+            QDockWidget *dock = dockNamed(*window, name);
+            const auto end = [&] { return dock->mapFromGlobal(window->mapToGlobal(to)); };
+            QTest::mousePress(dock, Qt::LeftButton, {}, {40, 8});
+            QTest::mouseMove(dock, {60, 30});
+            QTest::mouseMove(dock, end());
+            QTest::mouseRelease(dock, Qt::LeftButton, {}, end());
+        };
+        drag("formulaDock", {300, 500});
+        action(*window, "compareWorkspace")->trigger();
+        action(*window, "stepWorkspace")->trigger();
+        drag("columnsDock", {700, 150});
+        goTo(*window, "compareWorkspace");
+        QCOMPARE(current(*window), u"compareWorkspace"_s);
+        QCOMPARE(window->size(), QSize(1016, 600));
+    }
+
 private:
     IsolatedSettings m_settings;
 };
