@@ -50,7 +50,7 @@ Pseudocode crossingLines(int depth)
          yDown(active("y₀ ≤ y < y₁, or y₁ ≤ y < y₀"))},
         {depth + 2,
          "where it begins: x_k ← x₀ + (y − y₀)·((x₁ − x₀)/(y₁ − y₀)) if y₀ < y₁, else x₁ + (y − "
-         "y₁)·((x₁ − x₀)/(y₁ − y₀)) — from its lower end",
+         "y₁)·((x₁ − x₀)/(y₁ − y₀)) — from its end of smaller y",
          {Begin, Span}},
         {depth + 2, "else: x_k ← x_k + (x₁ − x₀)/(y₁ − y₀)", {Begin, Span}}};
 }

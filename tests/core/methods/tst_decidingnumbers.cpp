@@ -265,7 +265,7 @@ private slots:
                 .reason;
         };
         const QString tie
-            = QStringLiteral(" A tie: the line passes exactly midway between %1 = 5 and %1 = 6 "
+            = QStringLiteral(" A tie: the exact line passes midway between %1 = 5 and %1 = 6 "
                              "here, and the truth takes the greater one.")
                   .arg(QChar(isSteep ? u'x' : u'y'));
         QVERIFY2(reasonAt(9, 6).startsWith(QStringLiteral("Missing: ")),

@@ -13,7 +13,8 @@ void ListingState::run(const QString &text)
 {
     if (text.startsWith(QStringLiteral("sort the vertices "))) {
         sortVertices(text, m_names);
-        sortVertices(text, m_exact);
+        if (m_keepsExact)
+            sortVertices(text, m_exact);
         return;
     }
     auto statements = m_spelledOut.find(text);
@@ -105,6 +106,8 @@ void ListingState::set(const QString &name, const Result &result)
 void ListingState::exchangeAxes()
 {
     for (ListingNames *names : {&m_names, &m_exact}) {
+        if (names == &m_exact && !m_keepsExact)
+            continue;
         std::swap(names->at(QStringLiteral("x₀")), names->at(QStringLiteral("y₀")));
         std::swap(names->at(QStringLiteral("x₁")), names->at(QStringLiteral("y₁")));
     }
