@@ -21,6 +21,7 @@ namespace {
 
 constexpr int leastFormulaLines = 1;
 constexpr float bannerTint = 0.18F;
+constexpr int widthForBeside = 55; ///< characters
 constexpr double tableExcess = 2; // logical pixels from rounded-up column widths
 
 QString nounOf(SpanAxis axis)
@@ -53,6 +54,12 @@ Explanation invitation(const Playhead &playhead)
                            "above, or the Step menu with its keys.")
               .arg(nounOf(playhead.axis()));
     return explanation;
+}
+
+ChannelSymbols symbolsIn(const QTextBrowser &formulas)
+{
+    const int wanted = widthForBeside * formulas.fontMetrics().averageCharWidth();
+    return formulas.viewport()->width() >= wanted ? ChannelSymbols::Beside : ChannelSymbols::Above;
 }
 
 constexpr std::size_t measuredSpans = 6; // of a run, evenly spaced
@@ -142,8 +149,9 @@ void FormulaPanel::present(const Explanation &explanation)
 
     const int scrolled = m_formulas->verticalScrollBar()->value();
     // The stages from space to the frame come first.
-    m_formulas->setHtml(stagesHtml(explanation, arithmetic(), palette())
-                        + formulaHtml(explanation, arithmetic(), palette()));
+    m_formulas->setHtml(
+        stagesHtml(explanation, arithmetic(), palette())
+        + formulaHtml(explanation, arithmetic(), palette(), symbolsIn(*m_formulas)));
     m_formulas->verticalScrollBar()->setValue(scrolled);
     setAccessibleDescription(heading + QStringLiteral(". ") + explanation.sentence + u'\n'
                              + formulaText(explanation, arithmetic()));
@@ -201,7 +209,7 @@ int FormulaPanel::formulasHeight(const Explanation &explanation) const
     QTextDocument document;
     document.setDefaultFont(m_formulas->font());
     document.setDocumentMargin(m_formulas->document()->documentMargin());
-    document.setHtml(formulaHtml(explanation, arithmetic(), palette()));
+    document.setHtml(formulaHtml(explanation, arithmetic(), palette(), symbolsIn(*m_formulas)));
     document.setTextWidth(m_formulas->viewport()->width());
     return int(std::ceil(document.size().height()));
 }
@@ -249,6 +257,8 @@ void FormulaPanel::measureRun()
 void FormulaPanel::resizeEvent(QResizeEvent *event)
 {
     QWidget::resizeEvent(event);
+    if (event->size().width() != event->oldSize().width())
+        explainStep(); // the symbols may have another place
     fitScrollBar();
     const bool isSqueezed
         = height() < m_neededHeight && QGuiApplication::mouseButtons() == Qt::NoButton;

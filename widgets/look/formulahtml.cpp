@@ -97,8 +97,10 @@ QString errorText(const FormulaLine &line)
 
 class HtmlWriter {
 public:
-    HtmlWriter(Arithmetic arithmetic, const QPalette &palette)
+    HtmlWriter(Arithmetic arithmetic, const QPalette &palette,
+               ChannelSymbols symbols = ChannelSymbols::Above)
         : m_arithmetic(arithmetic)
+        , m_symbols(symbols)
         , m_palette(palette)
         , m_quiet(blended(palette.color(QPalette::Text), palette.color(QPalette::Base), quietShare)
                       .name())
@@ -138,7 +140,8 @@ public:
     /// Appends the symbols once, beside the channels' rows where they are short, else above them.
     void append(const ChannelFormula &formula)
     {
-        const bool isBeside = isShort(*formula.lines.front());
+        const auto place = isShort(*formula.lines.front()) ? m_symbols : ChannelSymbols::Above;
+        const bool isBeside = place == ChannelSymbols::Beside;
         QString symbols = typesetHtml(formula.symbols);
         if (!isBeside)
             row(wide(symbols));
@@ -148,7 +151,7 @@ public:
                                         .arg(quiet(equals(*line)));
             row((isBeside ? beside(std::exchange(symbols, {}), channel) : wide(channel))
                 + used(*line));
-            compare(*line, isBeside ? &HtmlWriter::indented : &HtmlWriter::wide);
+            compare(*line, place);
         }
     }
 
@@ -185,9 +188,6 @@ private:
             .arg(unbroken(symbols.isEmpty() ? symbols : symbols + QStringLiteral(" &nbsp;")), html);
     }
 
-    /// In the second of two such cells.
-    static QString indented(const QString &html) { return beside({}, html); }
-
     static QString unbroken(const QString &html)
     {
         return QStringLiteral("<p style='white-space:nowrap; margin:0'>%1</p>").arg(html);
@@ -206,13 +206,13 @@ private:
     }
 
     /// Adds the exact number and the error, where the arithmetic has rounded.
-    void compare(const FormulaLine &line, QString (*cells)(const QString &html) = &HtmlWriter::wide)
+    void compare(const FormulaLine &line, ChannelSymbols symbols = ChannelSymbols::Above)
     {
         if (!isCompared(line, m_arithmetic) || isSameAsExact(line))
             return;
         const QString exact
             = QStringLiteral("&nbsp; &nbsp; ") + quiet(typesetHtml(exactText(line)));
-        row(cells(exact)
+        row((symbols == ChannelSymbols::Beside ? beside({}, exact) : wide(exact))
             + QStringLiteral("<td align='right'>%1</td>")
                   .arg(unbroken(quiet(typesetHtml(errorText(line))))));
     }
@@ -229,6 +229,7 @@ private:
     }
 
     Arithmetic m_arithmetic;
+    ChannelSymbols m_symbols;
     const QPalette &m_palette;
     QString m_quiet;
     QString m_bar;
@@ -238,9 +239,10 @@ private:
 
 } // namespace
 
-QString formulaHtml(const Explanation &explanation, Arithmetic arithmetic, const QPalette &palette)
+QString formulaHtml(const Explanation &explanation, Arithmetic arithmetic, const QPalette &palette,
+                    ChannelSymbols symbols)
 {
-    HtmlWriter writer(arithmetic, palette);
+    HtmlWriter writer(arithmetic, palette, symbols);
     for (const NumberSubject subject : otherSubjects) {
         bool hasBegun = false;
         for (const FormulaLine &line : explanation.lines) {

@@ -8,10 +8,14 @@
 
 namespace pixelplumb {
 
+/// Where the symbols of a formula that three channels share are written: above their rows, or,
+/// where they are short and there is room, beside them.
+enum class ChannelSymbols { Above, Beside };
+
 /// The formulas of an explanation as rich text, grouped by subject: the symbols and the result,
-/// below them the numbers put in, and in a rounding arithmetic the exact number and the error. The
-/// symbols that three channels share stand once, beside the channels' rows where they are short.
-QString formulaHtml(const Explanation &explanation, Arithmetic arithmetic, const QPalette &palette);
+/// below them the numbers put in, and in a rounding arithmetic the exact number and the error.
+QString formulaHtml(const Explanation &explanation, Arithmetic arithmetic, const QPalette &palette,
+                    ChannelSymbols symbols = ChannelSymbols::Above);
 
 /// The stages of an explanation, each with a heading. They show exact numbers and errors in every
 /// arithmetic, because stages are computed in double.
