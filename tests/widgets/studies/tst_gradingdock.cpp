@@ -190,7 +190,7 @@ private slots:
         QVERIFY2(causes->shownText().startsWith(u"rounding-truncate"_s),
                  qPrintable(causes->shownText()));
         QVERIFY(named<QLabel>(*window, "gradingDone")->text().startsWith("Levels are cut"));
-        QCOMPARE(seen("gradingDone").height() >= line, size.height() > 700);
+        QVERIFY(seen("gradingDone").height() >= line);
         const auto *view = qobject_cast<QTableView *>(table(*window));
         QCOMPARE(view->horizontalScrollBar()->maximum(), 0);
         for (int column = 0; column < view->model()->columnCount(); ++column) {
