@@ -58,10 +58,8 @@ void compareValues(QStringList &shortfalls, const ExpectedPoint &point, const Sa
         const Quantity value = valueOf(trace, sample, title);
         if (value == expected)
             continue;
-        shortfalls.append(QStringLiteral("pixel (%1, %2): %3 is %4 instead of %5")
-                              .arg(point.x)
-                              .arg(point.y)
-                              .arg(title, toText(value), toText(expected)));
+        shortfalls.append(u"pixel (%1, %2): %3 is %4 instead of %5"_s.arg(point.x).arg(point.y).arg(
+            title, toText(value), toText(expected)));
     }
 }
 
@@ -95,7 +93,7 @@ std::map<QString, Quantity> readExpectedValues(JsonReader &json, const JsonNode 
         if (isChannel(title))
             values[title] = fraction(json, node[title]);
         else
-            json.fail(node[title], QStringLiteral("“%1”").arg(title),
+            json.fail(node[title], u"“%1”"_s.arg(title),
                       "a title of what is interpolated: R, G, B, z, u, v, N_x, N_y, N_z");
     }
     return values;
@@ -120,8 +118,7 @@ QStringList valueShortfalls(const HardCase &hardCase, const ScanSettings &settin
         if (const std::optional<SampleRecord> sample = sampleAt(*trace, point))
             compareValues(shortfalls, point, *sample, *trace);
         else
-            shortfalls.append(
-                QStringLiteral("pixel (%1, %2) has no values").arg(point.x).arg(point.y));
+            shortfalls.append(u"pixel (%1, %2) has no values"_s.arg(point.x).arg(point.y));
     }
     return shortfalls;
 }

@@ -45,14 +45,14 @@ QString nameOfAntialiasing(Antialiasing antialiasing)
 {
     switch (antialiasing) {
     case Antialiasing::Samples4:
-        return QStringLiteral("4 samples");
+        return u"4 samples"_s;
     case Antialiasing::Samples16:
-        return QStringLiteral("16 samples");
+        return u"16 samples"_s;
     case Antialiasing::None:
     case Antialiasing::Area:
         break;
     }
-    return QStringLiteral("area");
+    return u"area"_s;
 }
 
 /// Whether the case's shapes are lines or curves that the method antialiases, one pixel wide: the
@@ -81,11 +81,9 @@ QStringList strokeShortfalls(const HardCase &hardCase, const ScanSettings &setti
                 truth.draw(primitives, settings, drawTruly);
                 const DifferenceCounts differences = differencesBetween(picture, truth);
                 if (differences.total() > 0)
-                    shortfalls
-                        += QStringLiteral("%1, near (%2, %3): %4")
-                               .arg(nameOfAntialiasing(antialiasing),
-                                    QString::number(floorPixel(place.x)),
-                                    QString::number(floorPixel(place.y)), differences.message());
+                    shortfalls += u"%1, near (%2, %3): %4"_s.arg(
+                        nameOfAntialiasing(antialiasing), QString::number(floorPixel(place.x)),
+                        QString::number(floorPixel(place.y)), differences.message());
             }
         }
     }
@@ -102,12 +100,11 @@ bool draws(const Method &method, const HardCase &hardCase)
 QString subjectOf(const HardCase &hardCase)
 {
     if (hardCase.shapes.empty())
-        return QStringLiteral("a ") + nameOf(PrimitiveKind::Triangle);
+        return u"a "_s + nameOf(PrimitiveKind::Triangle);
     const Shape &shape = hardCase.shapes.front();
     if (shape.kind != PrimitiveKind::Circle)
-        return QStringLiteral("a ") + nameOf(shape.kind);
-    return (shape.fill == ShapeFill::Outline ? QStringLiteral("an outlined ")
-                                             : QStringLiteral("a filled "))
+        return u"a "_s + nameOf(shape.kind);
+    return (shape.fill == ShapeFill::Outline ? u"an outlined "_s : u"a filled "_s)
         + nameOf(shape.kind);
 }
 
@@ -119,10 +116,8 @@ QString whyNoneDraws(const HardCase &hardCase)
         if (draws(method, hardCase))
             able.append(method.id);
     }
-    const QString none = QStringLiteral("none of the methods checked draws ") + subjectOf(hardCase);
-    return able.isEmpty()
-        ? none
-        : none + QStringLiteral("; by name can be checked: ") + able.join(QStringLiteral(", "));
+    const QString none = u"none of the methods checked draws "_s + subjectOf(hardCase);
+    return able.isEmpty() ? none : none + u"; by name can be checked: "_s + able.join(u", "_s);
 }
 
 /// Why the contender refuses to draw the case; empty where it does not.
@@ -149,7 +144,7 @@ QStringList paintingShortfalls(const HardCase &hardCase, const Contender &conten
         = shortfallsOf(hardCase, contender.settings, drawingBy(method, Kernels::Fastest));
     if (byFast != shortfalls) {
         for (const QString &shortfall : byFast)
-            shortfalls += QStringLiteral("fast kernels: ") + shortfall;
+            shortfalls += u"fast kernels: "_s + shortfall;
     }
     return shortfalls;
 }
@@ -182,11 +177,11 @@ QString nameOf(CaseOutcome outcome)
 {
     switch (outcome) {
     case CaseOutcome::Passed:
-        return QStringLiteral("pass");
+        return u"pass"_s;
     case CaseOutcome::FellShort:
-        return QStringLiteral("FAIL");
+        return u"FAIL"_s;
     case CaseOutcome::Skipped:
-        return QStringLiteral("skip");
+        return u"skip"_s;
     }
     return {};
 }
@@ -238,13 +233,13 @@ CaseReport checkCase(const HardCase &hardCase, const std::vector<Contender> &con
             report.outcome = CaseOutcome::FellShort;
             report.remarks = {"its coordinates are accepted"};
         } else {
-            report.remarks = {QStringLiteral("refused: ") + hardCase.refusal};
+            report.remarks = {u"refused: "_s + hardCase.refusal};
         }
         return report;
     }
     if (!hardCase.displacements.isEmpty()) {
-        report.remarks = {QStringLiteral("compared with the truth after snapping ")
-                          + hardCase.displacements.join(QStringLiteral(", "))};
+        report.remarks
+            = {u"compared with the truth after snapping "_s + hardCase.displacements.join(u", "_s)};
     }
     for (const Contender &contender : contenders) {
         if (draws(*contender.method, hardCase))

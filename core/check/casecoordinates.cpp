@@ -58,19 +58,17 @@ void CaseCoordinates::readCanvas(const JsonNode &node)
 
 Lattice CaseCoordinates::coordinate(const JsonNode &node)
 {
-    const QString written = QStringLiteral("%1/%2").arg(wholeText(node), m_scale);
+    const QString written = u"%1/%2"_s.arg(wholeText(node), m_scale);
     const Result<SnappedNumber> snapped = parseCoordinate(written);
     if (!node.isNumber() || !snapped) {
-        m_json.fail(
-            node, describe(node),
-            QStringLiteral("an integer in units of 1/scale px, within ±%1 px").arg(largestPixel));
+        m_json.fail(node, describe(node),
+                    u"an integer in units of 1/scale px, within ±%1 px"_s.arg(largestPixel));
         return 0;
     }
     if (snapped->isDisplaced()) {
         const QString path = node.path();
-        m_case.displacements.append(
-            QStringLiteral("%1 by %2 px")
-                .arg(path.mid(path.lastIndexOf(u'.') + 1), toText(snapped->displacement)));
+        m_case.displacements.append(u"%1 by %2 px"_s.arg(path.mid(path.lastIndexOf(u'.') + 1),
+                                                         toText(snapped->displacement)));
     }
     return snapped->units;
 }

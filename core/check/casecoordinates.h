@@ -25,7 +25,7 @@ auto choice(JsonReader &json, const JsonNode &node, const Words &words)
         if (node.toString() == names.back())
             return word.second;
     }
-    json.fail(node, describe(node), QStringLiteral("one of ") + names.join(QStringLiteral(", ")));
+    json.fail(node, describe(node), u"one of "_s + names.join(u", "_s));
     return words.front().second;
 }
 

@@ -15,7 +15,7 @@ void compare(QStringList &shortfalls, const QString &what, const QString &found,
              const QString &expected)
 {
     if (found != expected)
-        shortfalls.append(QStringLiteral("%1 %2 instead of %3").arg(what, found, expected));
+        shortfalls.append(u"%1 %2 instead of %3"_s.arg(what, found, expected));
 }
 
 void compare(QStringList &shortfalls, const QString &what, std::int64_t found,
@@ -61,8 +61,8 @@ void compareHistogram(QStringList &shortfalls, const std::map<int, std::int64_t>
     const auto text = [](const std::map<int, std::int64_t> &histogram) {
         QStringList parts;
         for (const auto &[times, count] : histogram)
-            parts.append(QStringLiteral("%1×%2").arg(times).arg(count));
-        return parts.isEmpty() ? QStringLiteral("nothing") : parts.join(u' ');
+            parts.append(u"%1×%2"_s.arg(times).arg(count));
+        return parts.isEmpty() ? u"nothing"_s : parts.join(u' ');
     };
     compare(shortfalls, "coverage (times×pixels)", text(found), text(expected));
 }

@@ -2,8 +2,8 @@
 #include "core/check/effectcase.h"
 
 #include "core/check/casefacts.h"
-#include "core/scene/fields/partreader.h"
 #include "core/scene/fields/attributereader.h"
+#include "core/scene/fields/partreader.h"
 
 namespace pixelplumb {
 
@@ -117,9 +117,9 @@ QString effectRefusal(const ScanSettings &settings, const Method &method)
         if (settings.arithmetic == Arithmetic::Exact || settings.arithmetic == Arithmetic::Float32
             || (settings.arithmetic == Arithmetic::Float64 && each.knowsFloat64))
             return {};
-        return QStringLiteral("it draws effects in exact and float32 alone");
+        return u"it draws effects in exact and float32 alone"_s;
     }
-    return QStringLiteral("it draws no effects; these do: ") + able.join(QStringLiteral(", "));
+    return u"it draws no effects; these do: "_s + able.join(u", "_s);
 }
 
 } // namespace pixelplumb

@@ -156,7 +156,7 @@ private:
         for (const JsonNode &offset : m_json.array(member(node, "offsets_px"))) {
             const CasePixel moved = pixel(m_json, offset);
             if (!staysWithinRange(moved[0], moved[1])) {
-                m_json.fail(offset, QStringLiteral("the case leaves ±%1 px").arg(largestPixel),
+                m_json.fail(offset, u"the case leaves ±%1 px"_s.arg(largestPixel),
                             "a smaller offset");
             }
             m_case.offsets.push_back(moved);

@@ -80,14 +80,12 @@ QStringList shortfalls(const std::vector<CasePixel> &drawn, const std::vector<Ca
 {
     QStringList remarks;
     if (const auto count = std::int64_t(drawn.size()); count != facts.pixelCount.value_or(count))
-        remarks.append(
-            QStringLiteral("pixel count %1 instead of %2").arg(count).arg(*facts.pixelCount));
+        remarks.append(u"pixel count %1 instead of %2"_s.arg(count).arg(*facts.pixelCount));
     if (!facts.pixelHash.isEmpty() && hashOf(drawn) != facts.pixelHash)
-        remarks.append(
-            QStringLiteral("pixel hash %1 instead of %2")
-                .arg(QString::fromLatin1(hashOf(drawn)), QString::fromLatin1(facts.pixelHash)));
+        remarks.append(u"pixel hash %1 instead of %2"_s.arg(QString::fromLatin1(hashOf(drawn)),
+                                                            QString::fromLatin1(facts.pixelHash)));
     if (!facts.pixels.empty() && drawn != facts.pixels)
-        remarks.append(QStringLiteral("other pixels than the case lists"));
+        remarks.append(u"other pixels than the case lists"_s);
     if (remarks.isEmpty())
         return remarks;
     DifferenceCounts differences;
@@ -104,7 +102,7 @@ void readLineCase(JsonReader &json, const JsonNode &node, HardCase &hardCase)
 {
     const JsonNode rule = member(node, "rule");
     if (rule.toString() != QLatin1String(nearestRule))
-        json.fail(rule, describe(rule), QStringLiteral("“%1”").arg(QLatin1String(nearestRule)));
+        json.fail(rule, describe(rule), u"“%1”"_s.arg(QLatin1String(nearestRule)));
     const std::vector<JsonNode> ends = json.array(member(node, "endpoints"), 2);
     CaseCoordinates coordinates(json, hardCase);
     coordinates.readOptionalScale(node);
@@ -114,7 +112,7 @@ void readLineCase(JsonReader &json, const JsonNode &node, HardCase &hardCase)
                      {coordinates.position(ends[1]), {{0, 0, 255}}}};
     if (!hardCase.displacements.isEmpty())
         json.fail(member(node, "endpoints"), "ends off the lattice",
-                  QStringLiteral("multiples of 1/%1 px").arg(unitsPerPixel));
+                  u"multiples of 1/%1 px"_s.arg(unitsPerPixel));
     hardCase.shapes = {line};
     const CasePixel a = pixelOf(line.vertices[0]);
     const CasePixel b = pixelOf(line.vertices[1]);
@@ -124,8 +122,7 @@ void readLineCase(JsonReader &json, const JsonNode &node, HardCase &hardCase)
     const CasePixel first = {std::min(a[0], b[0]) - margin, std::min(a[1], b[1]) - margin};
     if (std::max(size[0], size[1]) > largestFrameSide || size[0] * size[1] > largestFrameArea)
         json.fail(member(node, "endpoints"), "a line that no frame holds",
-                  QStringLiteral("at most %1 px on a side and %2 px in area")
-                      .arg(largestFrameSide - 2 * margin)
+                  u"at most %1 px on a side and %2 px in area"_s.arg(largestFrameSide - 2 * margin)
                       .arg(largestFrameArea));
     if (json.hasFailed())
         return;
@@ -159,7 +156,7 @@ QStringList lineShortfalls(const HardCase &hardCase, const ScanSettings &setting
     const QStringList ofReversed
         = shortfalls(pixelsOf(reversed, hardCase.canvas, settings, drawing), truth, facts);
     for (const QString &remark : ofReversed)
-        remarks.append(QStringLiteral("reversed: ") + remark);
+        remarks.append(u"reversed: "_s + remark);
     return remarks;
 }
 

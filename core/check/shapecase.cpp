@@ -26,7 +26,7 @@ void readPolygon(JsonReader &json, const JsonNode &node, CaseCoordinates &coordi
     for (const JsonNode &contour : json.array(node)) {
         const std::vector<JsonNode> vertices = json.array(contour);
         if (vertices.size() < 3 && !json.hasFailed())
-            json.fail(contour, QStringLiteral("%1 vertices").arg(vertices.size()), "3 or more");
+            json.fail(contour, u"%1 vertices"_s.arg(vertices.size()), "3 or more");
         if (!polygon.vertices.empty())
             polygon.laterContours.push_back(polygon.vertices.size());
         for (const JsonNode &vertex : vertices)
@@ -60,7 +60,7 @@ void readCircleCase(JsonReader &json, const JsonNode &node, CaseCoordinates &coo
     const LatticePoint corner = {centre.x + radius, centre.y + radius};
     if (!json.hasFailed() && (radius < 0 || !isWithinRange(corner)))
         json.fail(radiusNode, describe(radiusNode),
-                  QStringLiteral("0 or more, and a circle within ±%1 px").arg(largestPixel));
+                  u"0 or more, and a circle within ±%1 px"_s.arg(largestPixel));
     Shape circle;
     circle.kind = PrimitiveKind::Circle;
     circle.fill = choice(json, member(node, "fill"), fillNames);

@@ -25,17 +25,15 @@ void comparePoints(QStringList &shortfalls, const HardCase &hardCase, FillRule r
         const auto covered = point.covered.find(rule);
         if (covered == point.covered.end() || !picture.contains(point.x, point.y))
             continue;
-        const QString place = QStringLiteral("pixel (%1, %2)").arg(point.x).arg(point.y);
+        const QString place = u"pixel (%1, %2)"_s.arg(point.x).arg(point.y);
         const bool written = picture.isWritten(point.x, point.y);
         if (written != covered->second)
-            shortfalls.append(
-                place + (written ? QStringLiteral(" is drawn") : QStringLiteral(" is not drawn")));
+            shortfalls.append(place + (written ? u" is drawn"_s : u" is not drawn"_s));
         if (!written || !covered->second)
             continue;
         const Colour colour = picture.colourAt(point.x, point.y);
         const std::array<std::int64_t, 3> bytes = {colour.red(), colour.green(), colour.blue()};
-        compare(shortfalls, place + QStringLiteral(" is"), numbersText(bytes),
-                numbersText(point.roundedColour));
+        compare(shortfalls, place + u" is"_s, numbersText(bytes), numbersText(point.roundedColour));
     }
 }
 
@@ -168,7 +166,7 @@ QStringList translationShortfalls(const HardCase &hardCase, const ScanSettings &
             vertex.position.y += up * unitsPerPixel;
         }
         const CasePicture picture = pictureOf(triangle, canvas, settings, drawing);
-        compare(shortfalls, QStringLiteral("moved by (%1, %2): pixel count").arg(right).arg(up),
+        compare(shortfalls, u"moved by (%1, %2): pixel count"_s.arg(right).arg(up),
                 picture.pixelCount(), facts.pixelCount);
         std::vector<PlacedColour> pixels;
         picture.forEachWritten([&](std::int64_t x, std::int64_t y) {

@@ -3,6 +3,8 @@
 
 namespace pixelplumb {
 
+using namespace Qt::StringLiterals;
+
 QString nameOf(Disagreement reason)
 {
     switch (reason) {
@@ -30,26 +32,26 @@ QString textOf(Disagreement reason)
 {
     switch (reason) {
     case Disagreement::None:
-        return QStringLiteral("All agree.");
+        return u"All agree."_s;
     case Disagreement::TieRule:
-        return QStringLiteral("The sample lies exactly on an edge, and the fill rules give it to "
-                              "different sides.");
+        return u"The sample lies exactly on an edge, and the fill rules give it to "
+               "different sides."_s;
     case Disagreement::Undrawn:
-        return QStringLiteral("A primitive of a kind that one of the methods does not draw covers "
-                              "the pixel.");
+        return u"A primitive of a kind that one of the methods does not draw covers "
+               "the pixel."_s;
     case Disagreement::Rounding:
-        return QStringLiteral("The same coverage; a level close to a rounding limit fell to the "
-                              "other side.");
+        return u"The same coverage; a level close to a rounding limit fell to the "
+               "other side."_s;
     case Disagreement::Drift:
-        return QStringLiteral("The number type could hold the number that decides, but the "
-                              "increments added up to another one.");
+        return u"The number type could hold the number that decides, but the "
+               "increments added up to another one."_s;
     case Disagreement::Precision:
-        return QStringLiteral("The number type cannot hold the number that decides closely "
-                              "enough.");
+        return u"The number type cannot hold the number that decides closely "
+               "enough."_s;
     case Disagreement::Method:
-        return QStringLiteral("The method itself departs from the truth, in exact arithmetic too.");
+        return u"The method itself departs from the truth, in exact arithmetic too."_s;
     case Disagreement::NotRecorded:
-        return QStringLiteral("The recording ended at its limit before this pixel.");
+        return u"The recording ended at its limit before this pixel."_s;
     }
     return {};
 }

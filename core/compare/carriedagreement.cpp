@@ -96,12 +96,12 @@ std::vector<CarriedAgreement> carriedAgreements(
 QString textOf(const CarriedAgreement &agreement)
 {
     if (agreement.differing == 0)
-        return QStringLiteral("%1: the same at %2 samples")
-            .arg(agreement.title, QString::number(agreement.samples));
-    return QStringLiteral("%1: %2 of %3 samples differ, by up to %4 at (%5, %6)")
-        .arg(agreement.title, QString::number(agreement.differing),
-             QString::number(agreement.samples), QString::number(agreement.largest, 'g', 3),
-             QString::number(agreement.x), QString::number(agreement.y));
+        return u"%1: the same at %2 samples"_s.arg(agreement.title,
+                                                   QString::number(agreement.samples));
+    return u"%1: %2 of %3 samples differ, by up to %4 at (%5, %6)"_s.arg(
+        agreement.title, QString::number(agreement.differing), QString::number(agreement.samples),
+        QString::number(agreement.largest, 'g', 3), QString::number(agreement.x),
+        QString::number(agreement.y));
 }
 
 } // namespace pixelplumb

@@ -174,26 +174,26 @@ QString nameOf(HardCaseKind kind)
 {
     switch (kind) {
     case HardCaseKind::Mesh:
-        return QStringLiteral("shared-edge");
+        return u"shared-edge"_s;
     case HardCaseKind::Sequence:
-        return QStringLiteral("temporal");
+        return u"temporal"_s;
     case HardCaseKind::Translation:
-        return QStringLiteral("translation");
+        return u"translation"_s;
     case HardCaseKind::Line:
-        return QStringLiteral("line");
+        return u"line"_s;
     case HardCaseKind::Circle:
-        return QStringLiteral("circle");
+        return u"circle"_s;
     case HardCaseKind::Polygon:
-        return QStringLiteral("polygon");
+        return u"polygon"_s;
     case HardCaseKind::Attributes:
-        return QStringLiteral("interpolation");
+        return u"interpolation"_s;
     case HardCaseKind::Effects:
-        return QStringLiteral("effects");
+        return u"effects"_s;
     case HardCaseKind::Triangle:
     case HardCaseKind::Invalid:
         break;
     }
-    return QStringLiteral("triangle");
+    return u"triangle"_s;
 }
 
 } // namespace
@@ -202,8 +202,8 @@ QString whyOf(const QString &family)
 {
     const QString sentences = sentencesOf(familyReasons, family);
     return sentences.isEmpty()
-        ? QStringLiteral("A number that decides a pixel lies so close to its limit that rounding "
-                         "carries it across. Open it at the first pixel that differs to see which.")
+        ? u"A number that decides a pixel lies so close to its limit that rounding "
+          "carries it across. Open it at the first pixel that differs to see which."_s
         : sentences;
 }
 

@@ -191,9 +191,8 @@ private:
 
 QString undrawnText(const Method &method, const QStringList &primitives)
 {
-    return QStringLiteral("%1 does not draw %2, which %3 here.")
-        .arg(method.id, primitives.join(QStringLiteral(", ")),
-             primitives.size() == 1 ? QStringLiteral("stands") : QStringLiteral("stand"));
+    return u"%1 does not draw %2, which %3 here."_s.arg(
+        method.id, primitives.join(u", "_s), primitives.size() == 1 ? u"stands"_s : u"stand"_s);
 }
 
 } // namespace
@@ -234,8 +233,8 @@ PixelComparison comparePixel(const Contest &contest, std::int64_t x, std::int64_
         }
         if (opinion.deviation.reason == Disagreement::None && pixel.reason == Disagreement::TieRule)
             opinion.words
-                = QStringLiteral("matches the truth under the rule %1: the sample lies on an edge")
-                      .arg(nameText(nameOf(run.contender.settings.fillRule)));
+                = u"matches the truth under the rule %1: the sample lies on an edge"_s.arg(
+                    nameText(nameOf(run.contender.settings.fillRule)));
         if (opinion.words.isEmpty() && run.isUndrawn(x, y)) {
             const BoundaryRule rule(run.contender.settings, run.truth.view());
             opinion.words

@@ -13,23 +13,22 @@ namespace {
 QString boundName(DecidingBound bound, SpanAxis axis)
 {
     if (axis == SpanAxis::Column)
-        return bound == DecidingBound::Lower ? QStringLiteral("y_B") : QStringLiteral("y_T");
-    return bound == DecidingBound::Lower ? QStringLiteral("x_L") : QStringLiteral("x_R");
+        return bound == DecidingBound::Lower ? u"y_B"_s : u"y_T"_s;
+    return bound == DecidingBound::Lower ? u"x_L"_s : u"x_R"_s;
 }
 
 QString kindText(Difference kind)
 {
-    return kind == Difference::Colour ? QStringLiteral("another colour") : nameOf(kind);
+    return kind == Difference::Colour ? u"another colour"_s : nameOf(kind);
 }
 
 /// "y_T = 9.999998 instead of 10, 1.9e-06 px too low"
 QString boundText(const Deviation &deviation, SpanAxis axis)
 {
     const double error = errorOf(deviation.used, deviation.exact);
-    return QStringLiteral("%1 = %2 instead of %3, %4 px too %5")
-        .arg(boundName(deviation.bound, axis), toText(deviation.used), toText(deviation.exact),
-             QString::number(std::abs(error), 'g', 2),
-             error < 0 ? QStringLiteral("low") : QStringLiteral("high"));
+    return u"%1 = %2 instead of %3, %4 px too %5"_s.arg(
+        boundName(deviation.bound, axis), toText(deviation.used), toText(deviation.exact),
+        QString::number(std::abs(error), 'g', 2), error < 0 ? u"low"_s : u"high"_s);
 }
 
 /// "R 126.49 instead of 126 1/2", for the channels whose bytes differ.
@@ -51,16 +50,15 @@ QString coloursText(const Deviation &deviation, const JudgedRun &run, std::int64
     for (std::size_t channel = 0; channel < 3; ++channel) {
         if (drawn.channels[channel] == truth.channels[channel])
             continue;
-        QString part = QStringLiteral("%1 %2 instead of %3")
-                           .arg(QLatin1Char("RGB"[channel]))
+        QString part = u"%1 %2 instead of %3"_s.arg(QLatin1Char("RGB"[channel]))
                            .arg(drawn.channels[channel])
                            .arg(truth.channels[channel]);
         if (!used[channel].isNone() && !exact[channel].isNone())
-            part += QStringLiteral(" (the level %1 instead of %2)")
-                        .arg(toText(used[channel]), toText(exact[channel]));
+            part += u" (the level %1 instead of %2)"_s.arg(toText(used[channel]),
+                                                           toText(exact[channel]));
         parts.append(part);
     }
-    return parts.join(QStringLiteral(", "));
+    return parts.join(u", "_s);
 }
 
 /// For triangles the deciding number is known; for shapes only that it was rounded on the way.
@@ -70,8 +68,8 @@ QString precisionText(const Deviation &deviation, const JudgedRun &run, const QS
     const bool isShape = deviation.primitive && !run.primitives->isTriangle(*deviation.primitive);
     if (!isShape
         || trace.setUp(*deviation.primitive).rejection == PrimitiveRejection::NotRepresentable)
-        return QStringLiteral("%1 cannot hold the numbers that decide").arg(arithmetic);
-    return QStringLiteral("%1 rounds the numbers that decide").arg(arithmetic);
+        return u"%1 cannot hold the numbers that decide"_s.arg(arithmetic);
+    return u"%1 rounds the numbers that decide"_s.arg(arithmetic);
 }
 
 QString causeText(const Deviation &deviation, const JudgedRun &run)
@@ -83,23 +81,21 @@ QString causeText(const Deviation &deviation, const JudgedRun &run)
     case Disagreement::Undrawn:
         return {};
     case Disagreement::Rounding:
-        return QStringLiteral("the rounding of one level");
+        return u"the rounding of one level"_s;
     case Disagreement::Drift:
         return deviation.bound == DecidingBound::None
-            ? QStringLiteral("the increments in %1 added up to another number").arg(arithmetic)
-            : QStringLiteral(
-                  "%1 could hold the exact bound, but the increments added up to a different one")
+            ? u"the increments in %1 added up to another number"_s.arg(arithmetic)
+            : u"%1 could hold the exact bound, but the increments added up to a different one"_s
                   .arg(arithmetic);
     case Disagreement::Precision:
         return precisionText(deviation, run, arithmetic);
     case Disagreement::Method:
         return run.traced->method->supports(Arithmetic::Exact)
-            ? QStringLiteral("the method does so in exact arithmetic too")
-            : QStringLiteral("caused by the method or by %1: without exact arithmetic there is no "
-                             "telling which")
-                  .arg(arithmetic);
+            ? u"the method does so in exact arithmetic too"_s
+            : u"caused by the method or by %1: without exact arithmetic there is no "
+              "telling which"_s.arg(arithmetic);
     case Disagreement::NotRecorded:
-        return QStringLiteral("the recording ended before this pixel");
+        return u"the recording ended before this pixel"_s;
     }
     return {};
 }
@@ -116,10 +112,9 @@ QString textOf(const Deviation &deviation, const JudgedRun &run, std::int64_t x,
     else if (deviation.kind == Difference::Colour && deviation.primitive)
         parts.append(coloursText(deviation, run, x, y));
     parts.append(causeText(deviation, run));
-    QString text
-        = kindText(deviation.kind) + QStringLiteral(": ") + parts.join(QStringLiteral("; "));
+    QString text = kindText(deviation.kind) + u": "_s + parts.join(u"; "_s);
     if (deviation.isTie)
-        text += QStringLiteral("; the sample lies exactly on an edge");
+        text += u"; the sample lies exactly on an edge"_s;
     return withMinus(text);
 }
 

@@ -20,7 +20,7 @@ bool endsInDecimals(Int128 denominator)
 QString terminatingDecimal(Int128 numerator, Int128 denominator)
 {
     const Int128 magnitude = absolute(numerator);
-    QString text = numerator < 0 ? QStringLiteral("-") : QString();
+    QString text = numerator < 0 ? u"-"_s : QString();
     text += toText(magnitude / denominator);
     Int128 remainder = magnitude % denominator;
     if (remainder != 0)
@@ -38,9 +38,9 @@ QString terminatingDecimal(Int128 numerator, Int128 denominator)
 QString realText(double value)
 {
     if (std::isnan(value))
-        return QStringLiteral("nan");
+        return u"nan"_s;
     if (std::isinf(value))
-        return value < 0 ? QStringLiteral("-inf") : QStringLiteral("inf");
+        return value < 0 ? u"-inf"_s : u"inf"_s;
     return QString::number(value, 'g', QLocale::FloatingPointShortest);
 }
 

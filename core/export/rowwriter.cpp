@@ -117,7 +117,7 @@ QString fileText(const Field &field, const Cell &cell)
     if (const auto *text = std::get_if<QString>(&cell))
         return *text;
     if (const auto *truth = std::get_if<bool>(&cell))
-        return *truth ? QStringLiteral("true") : QStringLiteral("false");
+        return *truth ? u"true"_s : u"false"_s;
     const auto &quantity = std::get<Quantity>(cell);
     return field.kind == Field::Kind::Exact ? fractionText(quantity) : decimalText(quantity);
 }

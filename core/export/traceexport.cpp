@@ -20,15 +20,15 @@ QString nameOf(TraceLevel level)
 {
     switch (level) {
     case TraceLevel::SetUp:
-        return QStringLiteral("setup");
+        return u"setup"_s;
     case TraceLevel::Column:
-        return QStringLiteral("column");
+        return u"column"_s;
     case TraceLevel::Stage:
-        return QStringLiteral("stage");
+        return u"stage"_s;
     case TraceLevel::Pixel:
         break;
     }
-    return QStringLiteral("pixel");
+    return u"pixel"_s;
 }
 
 std::vector<NumberDescription> descriptionsOf(const TracedScene &traced, TraceLevel level)
@@ -66,8 +66,8 @@ QStringList formulasOf(const TracedScene &traced, const TraceExportOptions &opti
 QString coordinatesText(const TracedScene &traced)
 {
     return traced.scene.frame.pixelCentre == PixelCentre::Half
-        ? QStringLiteral("counted from the centre of pixel (0, 0): 1/2 px less than the scene's")
-        : QStringLiteral("the scene's");
+        ? u"counted from the centre of pixel (0, 0): 1/2 px less than the scene's"_s
+        : u"the scene's"_s;
 }
 
 /// Whether the number, its exact value or its error is written.

@@ -40,8 +40,8 @@ void addCompared(TraceTable<Row> &table, const QString &name, const QString &tit
                  const std::function<Quantity(const Row &)> &exact)
 {
     table.add({name, Kind::Number, title}, used);
-    table.add({exactName(name), Kind::Exact, title + QStringLiteral(" exact")}, exact);
-    table.add({errorName(name), Kind::Error, title + QStringLiteral(" error")},
+    table.add({exactName(name), Kind::Exact, title + u" exact"_s}, exact);
+    table.add({errorName(name), Kind::Error, title + u" error"_s},
               [used, exact](const Row &row) { return errorCell(used(row), exact(row)); });
 }
 
@@ -182,10 +182,10 @@ TraceTable<SampleRow> sampleTable(const std::vector<NumberDescription> &numbers)
         addCompared<Row>(
             table, name, name, [channel](const Row &row) { return row.record.colour[channel]; },
             [channel](const Row &row) { return row.exact.colour[channel]; });
-        table.add({name + QStringLiteral("_level"), Kind::Number}, [channel](const Row &row) {
+        table.add({name + u"_level"_s, Kind::Number}, [channel](const Row &row) {
             return row.change.isWritten() ? integer(row.record.level[channel]) : Quantity();
         });
-        table.add({name + QStringLiteral("_byte"), Kind::Number}, [channel](const Row &row) {
+        table.add({name + u"_byte"_s, Kind::Number}, [channel](const Row &row) {
             return row.change.isWritten() ? integer(unpacked(row.change.after).channels[channel])
                                           : Quantity();
         });
@@ -196,9 +196,8 @@ TraceTable<SampleRow> sampleTable(const std::vector<NumberDescription> &numbers)
     table.add({"after", Kind::Text}, [](const Row &row) {
         return colourText(unpacked(row.change.isWritten() ? row.change.after : row.change.before));
     });
-    table.add({"fate", Kind::Text}, [](const Row &row) {
-        return row.change.isWritten() ? QStringLiteral("written") : QStringLiteral("refused");
-    });
+    table.add({"fate", Kind::Text},
+              [](const Row &row) { return row.change.isWritten() ? u"written"_s : u"refused"_s; });
     addDescribed(
         table, numbers, [](const Row &row) -> const auto & { return row.exact.cells; });
     return table;

@@ -11,8 +11,8 @@
 namespace pixelplumb {
 
 /// The names of the columns for a number's exact value and for used − exact.
-inline QString exactName(const QString &number) { return number + QStringLiteral("_exact"); }
-inline QString errorName(const QString &number) { return number + QStringLiteral("_error"); }
+inline QString exactName(const QString &number) { return number + u"_exact"_s; }
+inline QString errorName(const QString &number) { return number + u"_error"_s; }
 
 /// A table's columns: each name, and how its cell is read from a row, in one place.
 template <class Row>

@@ -5,6 +5,8 @@
 
 namespace pixelplumb {
 
+using namespace Qt::StringLiterals;
+
 QString nameOf(Difference difference)
 {
     switch (difference) {
@@ -19,7 +21,7 @@ QString nameOf(Difference difference)
     case Difference::Undecidable:
         return QStringLiteral(QT_TRANSLATE_NOOP("core", "undecidable"));
     }
-    return QStringLiteral("none");
+    return u"none"_s;
 }
 
 QString DifferenceCounts::message() const
@@ -28,15 +30,13 @@ QString DifferenceCounts::message() const
     const auto add = [&](Difference difference, const char *what) {
         const std::int64_t number = count(difference);
         if (number > 0)
-            parts.append(
-                QStringLiteral("%1 %2 %3")
-                    .arg(number)
-                    .arg(QLatin1String(number == 1 ? "pixel" : "pixels"), QLatin1String(what)));
+            parts.append(u"%1 %2 %3"_s.arg(number).arg(
+                QLatin1String(number == 1 ? "pixel" : "pixels"), QLatin1String(what)));
     };
     add(Difference::Missing, "missing");
     add(Difference::Extra, "extra");
     add(Difference::Colour, "in another colour");
-    return parts.join(QStringLiteral(", "));
+    return parts.join(u", "_s);
 }
 
 } // namespace pixelplumb

@@ -7,20 +7,22 @@
 
 namespace pixelplumb {
 
+using namespace Qt::StringLiterals;
+
 /// The name of what is no regular file: "a link".
 inline QString fileKindOf(mode_t mode)
 {
     switch (mode & S_IFMT) {
     case S_IFLNK:
-        return QStringLiteral("a link");
+        return u"a link"_s;
     case S_IFIFO:
-        return QStringLiteral("a pipe");
+        return u"a pipe"_s;
     case S_IFDIR:
-        return QStringLiteral("a folder");
+        return u"a folder"_s;
     case S_IFSOCK:
-        return QStringLiteral("a socket");
+        return u"a socket"_s;
     default:
-        return QStringLiteral("a device");
+        return u"a device"_s;
     }
 }
 

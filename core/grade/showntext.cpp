@@ -5,17 +5,18 @@
 
 namespace pixelplumb {
 
+using namespace Qt::StringLiterals;
+
 namespace {
 
 QString escapeOf(char32_t character)
 {
     const auto padded = [character](int digits) {
-        return QStringLiteral("%1").arg(uint(character), digits, 16, QLatin1Char('0'));
+        return u"%1"_s.arg(uint(character), digits, 16, QLatin1Char('0'));
     };
     if (character < 0x100)
-        return QStringLiteral("\\x") + padded(2);
-    return character < 0x10000 ? QStringLiteral("\\u") + padded(4)
-                               : QStringLiteral("\\U") + padded(8);
+        return u"\\x"_s + padded(2);
+    return character < 0x10000 ? u"\\u"_s + padded(4) : u"\\U"_s + padded(8);
 }
 
 } // namespace
@@ -65,7 +66,7 @@ QByteArray escapedJson(const QByteArray &json)
             continue;
         }
         for (const QChar unit : units)
-            escaped += QStringLiteral("\\u%1").arg(unit.unicode(), 4, 16, QLatin1Char('0'));
+            escaped += u"\\u%1"_s.arg(unit.unicode(), 4, 16, QLatin1Char('0'));
     }
     return escaped.toUtf8();
 }
@@ -80,14 +81,13 @@ QString shownText(const QByteArray &bytes, qsizetype longest)
         text += canBeShown(character) || character == U'\n' || character == U'\t'
             ? QString::fromUcs4(&character, 1)
             : QString(QChar::ReplacementCharacter);
-    return characters.size() > longest ? text + QStringLiteral(" …") : text;
+    return characters.size() > longest ? text + u" …"_s : text;
 }
 
 QString fewNames(const QStringList &names)
 {
     constexpr qsizetype mostNamed = 5;
-    return names.mid(0, mostNamed).join(QStringLiteral(", "))
-        + (names.size() > mostNamed ? QStringLiteral(" …") : QString());
+    return names.mid(0, mostNamed).join(u", "_s) + (names.size() > mostNamed ? u" …"_s : QString());
 }
 
 } // namespace pixelplumb

@@ -107,7 +107,7 @@ public:
     {
         m_drawing.notes.append(rowsText(m_map));
         if (!m_point) {
-            m_drawing.notes.append(QStringLiteral("Affine map: weights are still ahead"));
+            m_drawing.notes.append(u"Affine map: weights are still ahead"_s);
             return;
         }
         const RationalPoint image = m_map.of(*m_point);
@@ -117,8 +117,8 @@ public:
         if (m_map.determinant() == 0) {
             m_drawing.points.push_back({placeInFrame(image, m_moment.frame()), LayerInk::Hand});
             m_drawing.notes.append(
-                QStringLiteral("p′ %1 has no weights: the map flattens the triangle to no area")
-                    .arg(pointText(image)));
+                u"p′ %1 has no weights: the map flattens the triangle to no area"_s.arg(
+                    pointText(image)));
             return;
         }
         appendPoint("p′", image, pointAreas(m_images, image));
@@ -161,9 +161,8 @@ private:
         const QPointF place = placeInFrame(point, m_moment.frame());
         m_drawing.points.push_back({place, LayerInk::Hand});
         m_drawing.labels.push_back(
-            {QStringLiteral("%1: %2").arg(name, weightsText(areas)), place, LayerInk::Hand});
-        m_drawing.notes.append(
-            QStringLiteral("%1 %2. %3").arg(name, pointText(point), areasText(areas)));
+            {u"%1: %2"_s.arg(name, weightsText(areas)), place, LayerInk::Hand});
+        m_drawing.notes.append(u"%1 %2. %3"_s.arg(name, pointText(point), areasText(areas)));
     }
 
     /// Appends the border between two of the compared areas.
@@ -188,8 +187,8 @@ void drawAffineMap(const LayerMoment &moment, LayerDrawing &drawing)
 {
     if (doubledArea(moment.triangle()) == 0)
         return drawing.notes.append(
-            QStringLiteral("Affine map: the triangle has no area, so that its corners tell of no "
-                           "map and no point has weights"));
+            u"Affine map: the triangle has no area, so that its corners tell of no "
+            "map and no point has weights"_s);
     AffineDrawer drawer(moment, drawing);
     drawer.appendTriangles();
     drawer.appendSample();

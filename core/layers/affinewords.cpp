@@ -51,9 +51,9 @@ public:
 
     const QString &operator[](qsizetype i) const { return m_texts[i]; }
     /// "≈ " before a rounded number.
-    QString mark() const { return m_isRounded ? QStringLiteral("≈ ") : QString(); }
+    QString mark() const { return m_isRounded ? u"≈ "_s : QString(); }
     /// Between a name and its number.
-    QString equals() const { return m_isRounded ? QStringLiteral("≈") : QStringLiteral("="); }
+    QString equals() const { return m_isRounded ? u"≈"_s : u"="_s; }
 
 private:
     QStringList m_texts;
@@ -67,7 +67,7 @@ QChar signOf(const BigRational &number) { return number < 0 ? QChar(0x2212) : u'
 QString pointText(const RationalPoint &point)
 {
     const ShownNumbers numbers({point.x, point.y}, beside);
-    return QStringLiteral("%1(%2, %3)").arg(numbers.mark(), numbers[0], numbers[1]);
+    return u"%1(%2, %3)"_s.arg(numbers.mark(), numbers[0], numbers[1]);
 }
 
 QStringList rowsText(const AffineMap &map)
@@ -75,34 +75,33 @@ QStringList rowsText(const AffineMap &map)
     const ShownNumbers numbers(
         {map.xx, abs(map.xy), abs(map.shift.x), map.yx, abs(map.yy), abs(map.shift.y)}, compared);
     const QString row = "%1 %2 %3·x %4 %5·y %6 %7";
-    return {row.arg(QStringLiteral("Affine map: x′"), numbers.equals(), numbers[0], signOf(map.xy),
-                    numbers[1], signOf(map.shift.x), numbers[2]),
-            row.arg(QStringLiteral("and y′"), numbers.equals(), numbers[3], signOf(map.yy),
-                    numbers[4], signOf(map.shift.y), numbers[5])};
+    return {row.arg(u"Affine map: x′"_s, numbers.equals(), numbers[0], signOf(map.xy), numbers[1],
+                    signOf(map.shift.x), numbers[2]),
+            row.arg(u"and y′"_s, numbers.equals(), numbers[3], signOf(map.yy), numbers[4],
+                    signOf(map.shift.y), numbers[5])};
 }
 
 QString weightsText(const PointAreas &areas)
 {
     const ShownNumbers numbers({areas.weight(0), areas.weight(1), areas.weight(2)}, compared);
-    return QStringLiteral("α %1 %2, β %1 %3, γ %1 %4")
-        .arg(numbers.equals(), numbers[0], numbers[1], numbers[2]);
+    return u"α %1 %2, β %1 %3, γ %1 %4"_s.arg(numbers.equals(), numbers[0], numbers[1], numbers[2]);
 }
 
 QString areasText(const PointAreas &areas)
 {
     const ShownNumbers numbers({areas.parts[0], areas.parts[1], areas.parts[2], areas.whole},
                                beside);
-    return QStringLiteral("Doubled areas: %1%2, %3, %4 of %5")
-        .arg(numbers.mark(), numbers[0], numbers[1], numbers[2], numbers[3]);
+    return u"Doubled areas: %1%2, %3, %4 of %5"_s.arg(numbers.mark(), numbers[0], numbers[1],
+                                                      numbers[2], numbers[3]);
 }
 
 QString areasChangeText(const AffineMap &map)
 {
     const BigRational factor = map.determinant();
     const ShownNumbers number({factor}, compared);
-    const QString same = QStringLiteral("The weights stay, all areas are multiplied by %1")
-                             .arg(number.mark() + number[0]);
-    return factor < 0 ? same + QStringLiteral(": the map mirrors") : same;
+    const QString same
+        = u"The weights stay, all areas are multiplied by %1"_s.arg(number.mark() + number[0]);
+    return factor < 0 ? same + u": the map mirrors"_s : same;
 }
 
 } // namespace pixelplumb

@@ -57,16 +57,16 @@ public:
             const LayerInk ofGamma = isAxis ? LayerInk::First : LayerInk::Second;
             m_drawing.lines.push_back({sameBeta.p1(), sameBeta.p2(), ofBeta, stroke});
             m_drawing.lines.push_back({sameGamma.p1(), sameGamma.p2(), ofGamma, stroke});
-            appendName(QStringLiteral("β = %1").arg(value), sameBeta, ofBeta);
-            appendName(QStringLiteral("γ = %1").arg(value), sameGamma, ofGamma);
+            appendName(u"β = %1"_s.arg(value), sameBeta, ofBeta);
+            appendName(u"γ = %1"_s.arg(value), sameGamma, ofGamma);
         }
     }
 
     void appendSpecialPoints()
     {
-        appendPoint(m_moment.weightedCornerName(0) + QStringLiteral(" (1, 0, 0)"), 0, 0);
-        appendPoint(m_moment.weightedCornerName(1) + QStringLiteral(" (0, 1, 0)"), 1, 0);
-        appendPoint(m_moment.weightedCornerName(2) + QStringLiteral(" (0, 0, 1)"), 0, 1);
+        appendPoint(m_moment.weightedCornerName(0) + u" (1, 0, 0)"_s, 0, 0);
+        appendPoint(m_moment.weightedCornerName(1) + u" (0, 1, 0)"_s, 1, 0);
+        appendPoint(m_moment.weightedCornerName(2) + u" (0, 0, 1)"_s, 0, 1);
         appendPoint("(½, ½, 0)", 0.5, 0);
         appendPoint("(½, 0, ½)", 0, 0.5);
         appendPoint("(0, ½, ½)", 0.5, 0.5);
@@ -101,8 +101,8 @@ private:
 void drawAxes(const LayerMoment &moment, LayerDrawing &drawing)
 {
     if (doubledArea(moment.triangle()) == 0)
-        return drawing.notes.append(QStringLiteral(
-            "Barycentric axes: the triangle has no area, so that they fall into one"));
+        return drawing.notes.append(
+            u"Barycentric axes: the triangle has no area, so that they fall into one"_s);
     AxesDrawer axes(moment, drawing);
     axes.appendLines();
     axes.appendSpecialPoints();

@@ -100,10 +100,9 @@ public:
     {
         const QPointF last = {double(box.endX) - 0.5, double(box.endY) - 0.5};
         if (box.isEmpty())
-            return appendLabel(name + QStringLiteral(": no pixel"), last, look.ink);
+            return appendLabel(name + u": no pixel"_s, last, look.ink);
         appendRectangle({double(box.firstX) - 0.5, double(box.firstY) - 0.5}, last, look);
-        appendLabel(QStringLiteral("%1: x %2 … %3, y %4 … %5")
-                        .arg(name)
+        appendLabel(u"%1: x %2 … %3, y %4 … %5"_s.arg(name)
                         .arg(box.firstX)
                         .arg(box.endX - 1)
                         .arg(box.firstY)
@@ -126,9 +125,9 @@ void drawBox(const LayerMoment &moment, LayerDrawing &drawing)
     const QPointF last = placeOf(raw.last);
     BoxDrawer drawer(moment.frame(), drawing);
     drawer.appendRectangle(first, last, {LayerInk::Mark, Stroke::Dashed});
-    drawer.appendLabel(QStringLiteral("bbox: x %1 … %2, y %3 … %4")
-                           .arg(moment.inScene(raw.first.x), moment.inScene(raw.last.x),
-                                moment.inScene(raw.first.y), moment.inScene(raw.last.y)),
+    drawer.appendLabel(u"bbox: x %1 … %2, y %3 … %4"_s.arg(
+                           moment.inScene(raw.first.x), moment.inScene(raw.last.x),
+                           moment.inScene(raw.first.y), moment.inScene(raw.last.y)),
                        {first.x(), last.y()}, LayerInk::Mark);
     const SampleBox frame = samplesOf(windowOf(moment.frame()));
     drawer.appendSamples(
@@ -136,8 +135,7 @@ void drawBox(const LayerMoment &moment, LayerDrawing &drawing)
         "(int)(bbox ± .5), clipped", {LayerInk::Second, Stroke::Dotted});
     const std::optional<SampleBox> tested = testedBoxOf(moment);
     const SampleBox clipped = intersection(samplesIn(raw.first, raw.last), frame);
-    drawer.appendSamples(tested.value_or(clipped),
-                         tested ? QStringLiteral("tested") : QStringLiteral("clipped"),
+    drawer.appendSamples(tested.value_or(clipped), tested ? u"tested"_s : u"clipped"_s,
                          {LayerInk::First, Stroke::Solid});
 }
 

@@ -67,9 +67,8 @@ void drawEvenLine(const QLineF &line, LayerDrawing &drawing)
     const QPointF far = normal * (asideBy + 0.5);
     drawing.areas.push_back(
         {{line.p1() + near, line.p2() + near, line.p2() + far, line.p1() + far}, LayerInk::Second});
-    drawing.labels.push_back(
-        {QStringLiteral("even: 1 px wide, %1 px of light").arg(figure(line.length())),
-         line.center() + far, LayerInk::Second});
+    drawing.labels.push_back({u"even: 1 px wide, %1 px of light"_s.arg(figure(line.length())),
+                              line.center() + far, LayerInk::Second});
 }
 
 void drawBrightness(const LayerMoment &moment, LayerDrawing &drawing)
@@ -77,8 +76,8 @@ void drawBrightness(const LayerMoment &moment, LayerDrawing &drawing)
     const Shape &shape = moment.shape();
     const QLineF line(placeOf(shape.vertices[0].position), placeOf(shape.vertices[1].position));
     if (line.length() < 1 || !isInFrame(moment, line.p1()) || !isInFrame(moment, line.p2())) {
-        drawing.notes.append(QStringLiteral(
-            "Brightness by direction: only of a line of 1 px or more that lies in the frame"));
+        drawing.notes.append(
+            u"Brightness by direction: only of a line of 1 px or more that lies in the frame"_s);
         return;
     }
     // The even line is on the other side.
@@ -89,9 +88,8 @@ void drawBrightness(const LayerMoment &moment, LayerDrawing &drawing)
     const bool isDone = end > trace.firstSpanOf(moment.primitive) && moment.currentSpan() == end - 1
         && moment.view.position >= trace.indexOfSpan(end - 1) + 2;
     if (!isDone || pixels.size() < 2) {
-        const QString count = pixels.size() == 1 ? QStringLiteral("1 pixel")
-                                                 : QStringLiteral("%1 pixels").arg(pixels.size());
-        drawing.labels.push_back({isDone ? count : count + QStringLiteral(" so far"),
+        const QString count = pixels.size() == 1 ? u"1 pixel"_s : u"%1 pixels"_s.arg(pixels.size());
+        drawing.labels.push_back({isDone ? count : count + u" so far"_s,
                                   line.center(),
                                   LayerInk::First,
                                   side,
@@ -102,8 +100,8 @@ void drawBrightness(const LayerMoment &moment, LayerDrawing &drawing)
     const double between = lengthBetween(pixels, line);
     const double each = double(pixels.size() - 1) / between;
     drawing.labels.push_back(
-        {QStringLiteral("(%1 − 1) pixels / %2 px = %3 a px; even with %4 times the light")
-             .arg(QString::number(pixels.size()), figure(between), figure(each), figure(1 / each)),
+        {u"(%1 − 1) pixels / %2 px = %3 a px; even with %4 times the light"_s.arg(
+             QString::number(pixels.size()), figure(between), figure(each), figure(1 / each)),
          line.center(),
          LayerInk::First,
          side,

@@ -41,8 +41,7 @@ LayerInk inkOf(const Quantity &number)
 
 QString smallCellNote()
 {
-    return QStringLiteral("Zoom in to read the numbers: a cell needs %1 pixels")
-        .arg(leastNumberCell);
+    return u"Zoom in to read the numbers: a cell needs %1 pixels"_s.arg(leastNumberCell);
 }
 
 } // namespace pixelplumb

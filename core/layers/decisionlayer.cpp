@@ -8,7 +8,7 @@ namespace {
 
 QString named(const QString &name, const Quantity &number)
 {
-    return QStringLiteral("%1 = %2").arg(name, cellNumber(number));
+    return u"%1 = %2"_s.arg(name, cellNumber(number));
 }
 
 /// Of two pixels that lie across the line: the one with the lesser coordinate, or the other.
@@ -19,9 +19,8 @@ QString sideOf(Neighbour which, SpanAxis axis, FrameOrigin origin)
 {
     const bool isFirst = which == Neighbour::Lesser;
     if (axis == SpanAxis::Row)
-        return isFirst ? QStringLiteral("left") : QStringLiteral("right");
-    return isFirst == (origin == FrameOrigin::BottomLeft) ? QStringLiteral("lower")
-                                                          : QStringLiteral("upper");
+        return isFirst ? u"left"_s : u"right"_s;
+    return isFirst == (origin == FrameOrigin::BottomLeft) ? u"lower"_s : u"upper"_s;
 }
 
 /// Rasterization slides, "Bresenham's Line Algorithm (1/4)": the line between the pixel that stays
@@ -30,15 +29,14 @@ QString sideOf(Neighbour which, SpanAxis axis, FrameOrigin origin)
 void drawLineDecision(const NamedNumbers &setUp, SpanAxis axis, const NamedNumbers &step,
                       FrameOrigin origin, LayerDrawing &drawing)
 {
-    const Quantity stays = step[QStringLiteral("y_k")];
-    const Quantity line = step[QStringLiteral("y_line")];
+    const Quantity stays = step[u"y_k"_s];
+    const Quantity line = step[u"y_line"_s];
     if (stays.isNone() || line.isNone())
         return; // no decision led to the first pixel
     const bool isSteep = axis == SpanAxis::Row;
-    const double along = step[isSteep ? QStringLiteral("y") : QStringLiteral("x")].toDouble();
+    const double along = step[isSteep ? u"y"_s : u"x"_s].toDouble();
     // d_lower and d_upper add up to 1, towards the pixel across.
-    const bool falls
-        = setUp[QStringLiteral("y_1")].toDouble() < setUp[QStringLiteral("y_0")].toDouble();
+    const bool falls = setUp[u"y_1"_s].toDouble() < setUp[u"y_0"_s].toDouble();
     const auto at = [&](double distance) {
         return isSteep ? QPointF(distance, along) : QPointF(along, distance);
     };
@@ -59,26 +57,24 @@ void drawLineDecision(const NamedNumbers &setUp, SpanAxis axis, const NamedNumbe
     drawing.points.push_back({onLine, LayerInk::Hand});
     drawing.labels.push_back({measured("p_k"), onLine, LayerInk::Hand});
     const QString side = sideOf(falls ? Neighbour::Greater : Neighbour::Lesser, axis, origin);
-    if (side != QStringLiteral("lower"))
+    if (side != u"lower"_s)
         drawing.notes.append(
-            QStringLiteral(
-                "The letters are the slide's, whose line rises by less than 45°: “lower” is the "
-                "distance to the pixel that stays, here the %1 one, “upper” that to the %2 one")
-                .arg(side, sideOf(falls ? Neighbour::Lesser : Neighbour::Greater, axis, origin)));
+            u"The letters are the slide's, whose line rises by less than 45°: “lower” is the "
+            "distance to the pixel that stays, here the %1 one, “upper” that to the %2 one"_s.arg(
+                side, sideOf(falls ? Neighbour::Lesser : Neighbour::Greater, axis, origin)));
 }
 
 /// The midpoint at which F decided between two rows in a step: below the previous step's row.
 void drawCircleDecision(const NamedNumbers &setUp, const NamedNumbers &before,
                         const NamedNumbers &step, LayerDrawing &drawing)
 {
-    const Quantity decision = step[QStringLiteral("p_k")];
+    const Quantity decision = step[u"p_k"_s];
     if (decision.isNone())
         return; // no decision led to the first pixel of an arc
-    const QPointF centre(setUp[QStringLiteral("x_c")].toDouble(),
-                         setUp[QStringLiteral("y_c")].toDouble());
-    const double x = step[QStringLiteral("x_k")].toDouble();
-    const double stays = before[QStringLiteral("y_k")].toDouble();
-    const bool isSecondArc = step[QStringLiteral("arc")] == Quantity::integer(2);
+    const QPointF centre(setUp[u"x_c"_s].toDouble(), setUp[u"y_c"_s].toDouble());
+    const double x = step[u"x_k"_s].toDouble();
+    const double stays = before[u"y_k"_s].toDouble();
+    const bool isSecondArc = step[u"arc"_s] == Quantity::integer(2);
     const auto at = [&](double along, double across) {
         return centre + (isSecondArc ? QPointF(across, along) : QPointF(along, across));
     };

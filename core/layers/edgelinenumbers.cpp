@@ -60,8 +60,8 @@ EdgeLines exactLines(const LayerMoment &moment)
         const auto vertexAt
             = [&](int vertex) { return placeOf(triangle.vertices[std::size_t(vertex)].position); };
         edges.lines[line]
-            = {QStringLiteral("E") + QChar(char16_t(u'₀' + line)), gained(right[line]),
-               gained(above[line]), vertexAt(here[line].from), vertexAt(here[line].to)};
+            = {u"E"_s + QChar(char16_t(u'₀' + line)), gained(right[line]), gained(above[line]),
+               vertexAt(here[line].from), vertexAt(here[line].to)};
     }
     return edges;
 }

@@ -23,8 +23,8 @@ std::vector<ShownCrossing> crossingsIn(const NamedNumbers &row)
 {
     std::vector<ShownCrossing> crossings;
     for (int i = 0;; ++i) {
-        const Quantity x = row[QStringLiteral("x_%1").arg(i)];
-        const Quantity edge = row[QStringLiteral("edge_%1").arg(i)];
+        const Quantity x = row[u"x_%1"_s.arg(i)];
+        const Quantity edge = row[u"edge_%1"_s.arg(i)];
         if (x.isNone() || edge.isNone())
             return crossings;
         crossings.push_back({x.toDouble(), std::size_t(edge.toDouble())});
@@ -57,9 +57,8 @@ void appendBucket(const Contours &contours, std::size_t number, const LayerMomen
     const Interval rows
         = rowsCrossed(moment.frame().origin); // as the kernel's EdgeTable computes them
     const std::int64_t first = firstSampleFrom(low.y, rows);
-    const QString place = first < endSampleAt(high.y, rows)
-        ? QStringLiteral("from row %1").arg(first)
-        : QStringLiteral("on no row");
+    const QString place
+        = first < endSampleAt(high.y, rows) ? u"from row %1"_s.arg(first) : u"on no row"_s;
     drawing.points.push_back({placeOf(low), LayerInk::Mark});
     const QPointF middle = (placeOf(low) + placeOf(high)) / 2;
     const QPointF up = placeOf(high) - placeOf(low);
@@ -68,7 +67,7 @@ void appendBucket(const Contours &contours, std::size_t number, const LayerMomen
         = QPointF(up.y(), -up.x()) / std::hypot(up.x(), up.y()) * (leaderLength / cell);
     drawing.lines.push_back({middle, middle + away, LayerInk::Mark, LayerDrawing::Stroke::Dotted});
     drawing.labels.push_back(
-        {QStringLiteral("edge %1, %2").arg(number).arg(place), middle + away, LayerInk::Mark});
+        {u"edge %1, %2"_s.arg(number).arg(place), middle + away, LayerInk::Mark});
 }
 
 /// Appends the buckets of all edges or, if they are too many for names, of the active ones.
@@ -85,8 +84,7 @@ void appendBuckets(const Contours &contours, const std::vector<ShownCrossing> &a
     }
     for (const ShownCrossing &crossing : active)
         appendBucket(contours, crossing.edge, moment, drawing);
-    drawing.notes.append(
-        QStringLiteral("Edge table: of %1 edges, the active ones have their names").arg(count));
+    drawing.notes.append(u"Edge table: of %1 edges, the active ones have their names"_s.arg(count));
 }
 
 /// The edges that the row crosses and, for inside spans between two crossings, the number that
@@ -99,9 +97,8 @@ void appendRow(double y, const std::vector<ShownCrossing> &crossings, const Cont
     for (std::size_t i = 0; i < crossings.size(); ++i) {
         const ShownCrossing &crossing = crossings[i];
         drawing.points.push_back({{crossing.x, y}, LayerInk::Hand});
-        drawing.labels.push_back({QStringLiteral("x%1").arg(QChar(char16_t(u'₀' + i))),
-                                  {crossing.x, y},
-                                  LayerInk::Hand});
+        drawing.labels.push_back(
+            {u"x%1"_s.arg(QChar(char16_t(u'₀' + i))), {crossing.x, y}, LayerInk::Hand});
         const ContourEdge &edge = contours.edges[crossing.edge];
         drawing.lines.push_back({placeOf(edge.from), placeOf(edge.to), LayerInk::First});
         winding += windingRightOf(edge, origin);
@@ -112,8 +109,7 @@ void appendRow(double y, const std::vector<ShownCrossing> &crossings, const Cont
         drawing.lines.push_back(
             {{crossing.x, y}, end, LayerInk::Inside, LayerDrawing::Stroke::Band});
         drawing.labels.push_back(
-            {isByWinding ? QStringLiteral("w = %1").arg(term(Quantity::integer(winding)))
-                         : QStringLiteral("p = 1"),
+            {isByWinding ? u"w = %1"_s.arg(term(Quantity::integer(winding))) : u"p = 1"_s,
              (QPointF(crossing.x, y) + end) / 2, LayerInk::Inside});
     }
 }
@@ -129,11 +125,10 @@ void drawEdgeTable(const LayerMoment &moment, LayerDrawing &drawing)
     const std::vector<ShownCrossing> crossings = crossingsIn(row);
     appendBuckets(contours, crossings, moment, drawing);
     appendRow(double(record.place.coordinate), crossings, contours, moment.frame().origin, drawing);
-    const auto active = std::int64_t(row[QStringLiteral("active")].toDouble());
+    const auto active = std::int64_t(row[u"active"_s].toDouble());
     if (active > std::int64_t(crossings.size()))
-        drawing.notes.append(QStringLiteral("Edge table: the first %1 of %2 active edges")
-                                 .arg(crossings.size())
-                                 .arg(active));
+        drawing.notes.append(
+            u"Edge table: the first %1 of %2 active edges"_s.arg(crossings.size()).arg(active));
 }
 
 } // namespace

@@ -30,8 +30,8 @@ void drawSamples(const LayerMoment &moment, LayerDrawing &drawing)
 {
     if (moment.view.cell < leastSampleCell)
         return drawing.notes.append(
-            QStringLiteral("Samples are shown in cells of %1 pixels and more: enlarge the picture")
-                .arg(leastSampleCell));
+            u"Samples are shown in cells of %1 pixels and more: enlarge the picture"_s.arg(
+                leastSampleCell));
     const auto pattern = samplePattern(antialiasingOf(moment.view.traced->scene.appearance));
     forEachSeen(moment, [&](std::int64_t x, std::int64_t y) {
         const QPointF place{double(x), double(y)};
@@ -61,7 +61,7 @@ void drawMemory(const LayerMoment &moment, LayerDrawing &drawing)
 {
     if (moment.view.cell < leastNumberCell)
         return drawing.notes.append(smallCellNote());
-    drawing.cellNames.append(QStringLiteral("address"));
+    drawing.cellNames.append(u"address"_s);
     const FrameView frame = windowOf(moment.frame());
     const ScanTrace &trace = moment.trace();
     const bool isAsked = moment.view.ahead == Ahead::Hidden

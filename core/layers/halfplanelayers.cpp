@@ -136,20 +136,20 @@ void appendNames(const HalfPlanes &planes, std::size_t edge, const LayerMoment &
     const std::array inside = {arrow.p2(), arrow.center(), arrow.p1()};
     places.insert(length < roomBesideEdge ? places.end() : places.begin(), inside.begin(),
                   inside.end());
-    drawing.labels.push_back({QStringLiteral("%1 < 0").arg(line.name),
+    drawing.labels.push_back({u"%1 < 0"_s.arg(line.name),
                               arrow.p1() - inward / 2,
                               LayerInk::Negative,
                               LayerDrawing::HalfPlane{arrow.p1(), -inward},
                               {arrow.p1()},
                               planes.rivalsOf(edge, moment)});
     // As the slides write it: DejaVu's ⟨ ⟩ look like ( ) in small type.
-    drawing.labels.push_back({QStringLiteral("%1 > 0, normal <%2, %3>")
-                                  .arg(line.name, preciseNumber(line.a), preciseNumber(line.b)),
-                              places.front(),
-                              LayerInk::Mark,
-                              LayerDrawing::HalfPlane{arrow.p1(), inward},
-                              {places.begin() + 1, places.end()},
-                              planes.rivalsOf(edge, moment)});
+    drawing.labels.push_back(
+        {u"%1 > 0, normal <%2, %3>"_s.arg(line.name, preciseNumber(line.a), preciseNumber(line.b)),
+         places.front(),
+         LayerInk::Mark,
+         LayerDrawing::HalfPlane{arrow.p1(), inward},
+         {places.begin() + 1, places.end()},
+         planes.rivalsOf(edge, moment)});
 }
 
 void appendHalfPlane(const EdgeLineNumbers &line, const QLineF &arrow, const LayerMoment &moment,
@@ -177,19 +177,17 @@ void appendHalfPlanes(const LayerMoment &moment, std::size_t first, std::size_t 
             appendNames(planes, edge, moment, drawing);
     }
     if (planes.edges.origin == NumberOrigin::Exact)
-        drawing.notes.append(
-            QStringLiteral("Half-planes: exact, since “%1” computes no edge functions")
-                .arg(moment.view.traced->method->title));
+        drawing.notes.append(u"Half-planes: exact, since “%1” computes no edge functions"_s.arg(
+            moment.view.traced->method->title));
 }
 
 template <std::size_t edge>
 Layer halfPlaneLayer()
 {
-    return {.id = QStringLiteral("half-plane-%1").arg(edge),
-            .title = QStringLiteral("Half-plane of E") + QChar(char16_t(u'₀' + edge)),
-            .toolTip = QStringLiteral("Where the edge function of the edge %1–%2 is positive "
-                                      "(tinted); of barycentric methods that of %3.")
-                           .arg(edge)
+    return {.id = u"half-plane-%1"_s.arg(edge),
+            .title = u"Half-plane of E"_s + QChar(char16_t(u'₀' + edge)),
+            .toolTip = u"Where the edge function of the edge %1–%2 is positive "
+                       "(tinted); of barycentric methods that of %3."_s.arg(edge)
                            .arg((edge + 1) % 3)
                            .arg(QStringList({"bc", "ca", "ab"})[qsizetype(edge)]),
             .source = "Rasterization slides, “Edge Equations”",

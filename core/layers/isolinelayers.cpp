@@ -26,8 +26,7 @@ std::array<PlaneCorner, 3> planeOf(const LayerMoment &moment, std::size_t channe
     const SetUpRecord setUp = moment.trace().setUp(moment.primitive);
     const NamedNumbers numbers(moment.trace().numbers().setUp, setUp.cells);
     const QChar letter = channelLetters[channel];
-    const auto coefficient
-        = [&](QChar name) { return numbers[QStringLiteral("%1_%2").arg(name).arg(letter)]; };
+    const auto coefficient = [&](QChar name) { return numbers[u"%1_%2"_s.arg(name).arg(letter)]; };
     const Quantity a = coefficient(u'a'), b = coefficient(u'b'), c = coefficient(u'c');
     const bool hasPlane = !a.isNone() && !b.isNone() && !c.isNone();
     std::array<PlaneCorner, 3> corners;
@@ -62,11 +61,9 @@ QString withoutLines(QChar letter, const std::array<PlaneCorner, 3> &corners)
     const auto [least, greatest] = std::ranges::minmax(corners, {}, &PlaneCorner::level);
     const auto shown = [](double level) { return cellNumber(Quantity::of(level)); };
     if (shown(least.level) == shown(greatest.level))
-        return QStringLiteral("Contour lines of %1: none, %1 is %2 all over the triangle")
-            .arg(letter)
-            .arg(shown(least.level));
-    return QStringLiteral("Contour lines of %1: none, from %2 to %3 %1 meets no multiple of %4")
-        .arg(letter)
+        return u"Contour lines of %1: none, %1 is %2 all over the triangle"_s.arg(letter).arg(
+            shown(least.level));
+    return u"Contour lines of %1: none, from %2 to %3 %1 meets no multiple of %4"_s.arg(letter)
         .arg(shown(least.level), shown(greatest.level))
         .arg(levelStep);
 }
@@ -76,17 +73,16 @@ void drawIsolines(const LayerMoment &moment, LayerDrawing &drawing)
 {
     if (doubledArea(moment.triangle()) == 0)
         return drawing.notes.append(
-            QStringLiteral(
-                "Contour lines of %1: the triangle has no area, so that its levels lie on no plane")
+            u"Contour lines of %1: the triangle has no area, so that its levels lie on no plane"_s
                 .arg(channelLetters[channel]));
     if (moment.hidesSteps())
-        return drawing.notes.append(QStringLiteral("Contour lines of %1: levels are still ahead")
-                                        .arg(channelLetters[channel]));
+        return drawing.notes.append(
+            u"Contour lines of %1: levels are still ahead"_s.arg(channelLetters[channel]));
     const EffectPlan *plan = moment.view.traced->shading();
     if (plan && plan->runs(Effect::Perspective))
         drawing.notes.append(
-            QStringLiteral("Contour lines: of levels that change evenly over the frame, while the "
-                           "picture takes perspective into account"));
+            u"Contour lines: of levels that change evenly over the frame, while the "
+            "picture takes perspective into account"_s);
     const std::array<PlaneCorner, 3> corners = planeOf(moment, channel);
     const std::size_t linesBefore = drawing.lines.size();
     for (int level = levelStep; level < 256; level += levelStep) {
@@ -96,7 +92,7 @@ void drawIsolines(const LayerMoment &moment, LayerDrawing &drawing)
         drawing.lines.push_back({ends[0], ends[1], channelInks[channel]});
         const std::optional<QLineF> seen = clipped({ends[0], ends[1]}, moment.seenArea());
         const QLineF named = seen.value_or(QLineF(ends[0], ends[1]));
-        drawing.labels.push_back({QStringLiteral("%1 = %2").arg(channelLetters[channel]).arg(level),
+        drawing.labels.push_back({u"%1 = %2"_s.arg(channelLetters[channel]).arg(level),
                                   named.p1(),
                                   channelInks[channel],
                                   {},
@@ -114,9 +110,8 @@ Layer isolinesLayer(const QString &id, const QString &title)
         .id = id,
         .title = title,
         .toolTip
-        = QStringLiteral(
-              "Lines on which %1 is the same, every %2 levels: the plane %1 = a·x + b·y + c of the "
-              "set-up, or where the method has none the exact one through the vertices' levels.")
+        = u"Lines on which %1 is the same, every %2 levels: the plane %1 = a·x + b·y + c of the "
+          "set-up, or where the method has none the exact one through the vertices' levels."_s
               .arg(letter)
               .arg(levelStep),
         .source = "Scan Conversion slides, “2. Plane Equation”",

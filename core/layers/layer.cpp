@@ -24,15 +24,15 @@ QString listed(const std::vector<PrimitiveKind> &kinds)
     QStringList names;
     for (const PrimitiveKind kind : kinds)
         names.append(nameOf(kind));
-    return names.join(QStringLiteral(" or "));
+    return names.join(u" or "_s);
 }
 
 QString titlesOf(const QStringList &ids)
 {
     QStringList titles;
     for (const QString &id : ids)
-        titles.append(QStringLiteral("“%1”").arg(methodNamed(id)->title));
-    return titles.join(QStringLiteral(", "));
+        titles.append(u"“%1”"_s.arg(methodNamed(id)->title));
+    return titles.join(u", "_s);
 }
 
 void removeDuplicates(std::vector<LayerDrawing::Label> &labels)
@@ -56,19 +56,18 @@ QString Layer::objection(const Scene &scene) const
         return {};
     const Method *method = methodNamed(QString::fromStdString(scene.method));
     if (!method)
-        return QStringLiteral("there is no method “%1”").arg(QString::fromStdString(scene.method));
+        return u"there is no method “%1”"_s.arg(QString::fromStdString(scene.method));
     if (!methods.isEmpty() && !methods.contains(method->id))
-        return QStringLiteral("“%1” has no such numbers, unlike %2")
-            .arg(method->title, titlesOf(methods));
+        return u"“%1” has no such numbers, unlike %2"_s.arg(method->title, titlesOf(methods));
     std::vector<PrimitiveKind> drawn;
     for (const PrimitiveKind kind : kinds) {
         if (method->draws(kind))
             drawn.push_back(kind);
     }
     if (drawn.empty())
-        return QStringLiteral("“%1” draws no %2").arg(method->title, listed(kinds));
+        return u"“%1” draws no %2"_s.arg(method->title, listed(kinds));
     if (std::ranges::none_of(drawn, [&](PrimitiveKind kind) { return hasKind(scene, kind); }))
-        return QStringLiteral("the scene has no %1").arg(listed(drawn));
+        return u"the scene has no %1"_s.arg(listed(drawn));
     return {};
 }
 
@@ -129,7 +128,7 @@ LayerDrawing drawingOf(const QStringList &ids, const LayerView &view)
             || moment.hasDone(moment.trace().indexOfSetUp(*primitive)))
             layer.draw(moment, drawing);
         else
-            drawing.notes.append(QStringLiteral("%1: the set-up is still ahead").arg(layer.title));
+            drawing.notes.append(u"%1: the set-up is still ahead"_s.arg(layer.title));
     }
     drawing.notes.removeDuplicates();
     removeDuplicates(drawing.labels); // of one half-plane next to all three

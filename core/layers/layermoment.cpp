@@ -31,7 +31,7 @@ QString LayerMoment::weightedCornerName(std::size_t vertex, const QString &suffi
 {
     const std::array<int, 3> order = trace().setUp(primitive).order;
     const auto rank = std::ranges::find(order, int(vertex)) - order.begin();
-    return QStringLiteral("%1%3 = P%2%3").arg(QChar(char16_t(u'a' + vertex))).arg(rank).arg(suffix);
+    return u"%1%3 = P%2%3"_s.arg(QChar(char16_t(u'a' + vertex))).arg(rank).arg(suffix);
 }
 
 std::optional<std::size_t> LayerMoment::currentSpan() const

@@ -10,6 +10,8 @@
 
 namespace pixelplumb {
 
+using namespace Qt::StringLiterals;
+
 namespace {
 
 /// Clips painting to the view.
@@ -173,7 +175,7 @@ QStringList LayerPainter::paintLabels(QPainter &painter, const LayerDrawing &dra
     m_labels = labels.places();
     if (labels.omitted() == 0)
         return {};
-    return {QStringLiteral("No room for %1 of %2 names: enlarge the picture, or show fewer layers")
+    return {u"No room for %1 of %2 names: enlarge the picture, or show fewer layers"_s
                 .arg(labels.omitted())
                 .arg(drawing.labels.size() + drawing.measures.size())};
 }

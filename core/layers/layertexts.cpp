@@ -12,6 +12,8 @@
 
 namespace pixelplumb {
 
+using namespace Qt::StringLiterals;
+
 namespace {
 
 // Logical pixels.
@@ -85,12 +87,10 @@ FreeBand freeBand(std::span<const LayerDrawing::Point> samples, const LayerSurfa
 /// The note for numbers that do not fit in cells.
 QString cellsTooSmall(const QStringList &names, double side)
 {
-    const QString what
-        = names.isEmpty() ? QString() : QStringLiteral(" (%1)").arg(names.join(u", "));
-    return QStringLiteral("No room for the numbers in the cells%1: they need cells of %2 pixels; "
-                          "enlarge the picture, or show fewer layers")
-        .arg(what)
-        .arg(std::ceil(side));
+    const QString what = names.isEmpty() ? QString() : u" (%1)"_s.arg(names.join(u", "));
+    return u"No room for the numbers in the cells%1: they need cells of %2 pixels; "
+           "enlarge the picture, or show fewer layers"_s.arg(what)
+               .arg(std::ceil(side));
 }
 
 QString inCells(const QStringList &names)
@@ -98,8 +98,8 @@ QString inCells(const QStringList &names)
     if (names.isEmpty())
         return {};
     const QString listed = names.join(u", ");
-    return listed.contains(u',') ? QStringLiteral("In the cells, from the top: %1").arg(listed)
-                                 : QStringLiteral("In the cells: %1").arg(listed);
+    return listed.contains(u',') ? u"In the cells, from the top: %1"_s.arg(listed)
+                                 : u"In the cells: %1"_s.arg(listed);
 }
 
 } // namespace

@@ -10,8 +10,7 @@ namespace {
 void appendVertex(const LayerMoment &moment, const QString &name, const LatticePoint &vertex,
                   LayerDrawing &drawing)
 {
-    QString text = QStringLiteral("%1 (%2, %3)")
-                       .arg(name, moment.inScene(vertex.x), moment.inScene(vertex.y));
+    QString text = u"%1 (%2, %3)"_s.arg(name, moment.inScene(vertex.x), moment.inScene(vertex.y));
     drawing.points.push_back({placeOf(vertex), LayerInk::Mark});
     drawing.labels.push_back({withMinus(text), placeOf(vertex), LayerInk::Mark});
 }
@@ -24,9 +23,7 @@ void appendTriangle(const LayerMoment &moment, LayerDrawing &drawing)
         drawing.lines.push_back({placeOf(corners[i]), placeOf(corners[(i + 1) % 3])});
         // Both names if the method's differs from the scene's, as in the set-up's words.
         const bool isSorted = order[i] != int(i);
-        appendVertex(moment,
-                     isSorted ? QStringLiteral("P%1 = vertex %2").arg(i).arg(order[i])
-                              : QStringLiteral("P%1").arg(i),
+        appendVertex(moment, isSorted ? u"P%1 = vertex %2"_s.arg(i).arg(order[i]) : u"P%1"_s.arg(i),
                      corners[i], drawing);
     }
 }
@@ -43,7 +40,7 @@ void appendShape(const LayerMoment &moment, LayerDrawing &drawing)
         const LatticePoint &vertex = shape.vertices[i].position;
         if (i > 0 && shape.kind != PrimitiveKind::Polygon)
             drawing.lines.push_back({placeOf(shape.vertices[i - 1].position), placeOf(vertex)});
-        appendVertex(moment, QStringLiteral("P%1").arg(i), vertex, drawing);
+        appendVertex(moment, u"P%1"_s.arg(i), vertex, drawing);
     }
 }
 

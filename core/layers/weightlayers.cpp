@@ -81,7 +81,7 @@ void appendExactWeights(const LayerMoment &moment, LayerDrawing &drawing)
     const Triangle &triangle = moment.triangle();
     if (doubledArea(triangle) == 0)
         return drawing.notes.append(
-            QStringLiteral("Weights: the triangle has no area, so that no point has any"));
+            u"Weights: the triangle has no area, so that no point has any"_s);
     visitSamples(moment, [&](const SampleRecord &sample) {
         const oracle::PlaneWeights weights
             = oracle::barycentricWeights(triangle, sample.x, sample.y);
@@ -92,9 +92,9 @@ void appendExactWeights(const LayerMoment &moment, LayerDrawing &drawing)
                 drawing);
     });
     drawing.cellNames += {"α", "β", "γ"};
-    drawing.notes.append(QStringLiteral("α, β, γ belong to a, b, c, the vertices 0, 1, 2, and are "
-                                        "exact, since “%1” computes none")
-                             .arg(moment.view.traced->method->title));
+    drawing.notes.append(
+        u"α, β, γ belong to a, b, c, the vertices 0, 1, 2, and are "
+        "exact, since “%1” computes none"_s.arg(moment.view.traced->method->title));
 }
 
 void drawWeights(const LayerMoment &moment, LayerDrawing &drawing)

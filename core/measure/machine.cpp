@@ -13,6 +13,8 @@
 
 namespace pixelplumb {
 
+using namespace Qt::StringLiterals;
+
 namespace {
 
 /// If more than this runs besides us before we begin, it shares processors, caches and memory.
@@ -44,16 +46,15 @@ QStringList cachesOfFirstProcessor()
     const QStringList entries = QDir(folder).entryList({"index*"}, QDir::Dirs);
     for (const QString &entry : entries) {
         const QString place = folder + entry + u'/';
-        const QString type = contentOf(place + QStringLiteral("type"));
-        QString size = contentOf(place + QStringLiteral("size"));
+        const QString type = contentOf(place + u"type"_s);
+        QString size = contentOf(place + u"size"_s);
         if (size.endsWith(u'K'))
-            size = size.chopped(1) + QStringLiteral(" KiB");
-        caches.append(QStringLiteral("L%1%2 %3")
-                          .arg(contentOf(place + QStringLiteral("level")),
-                               type == QLatin1String("Data")              ? QStringLiteral("d")
-                                   : type == QLatin1String("Instruction") ? QStringLiteral("i")
-                                                                          : QString(),
-                               size));
+            size = size.chopped(1) + u" KiB"_s;
+        caches.append(u"L%1%2 %3"_s.arg(contentOf(place + u"level"_s),
+                                        type == QLatin1String("Data")              ? u"d"_s
+                                            : type == QLatin1String("Instruction") ? u"i"_s
+                                                                                   : QString(),
+                                        size));
     }
     return caches;
 }
@@ -61,9 +62,9 @@ QStringList cachesOfFirstProcessor()
 QString compilerName()
 {
 #ifdef __clang__
-    return QStringLiteral("clang %1.%2").arg(__clang_major__).arg(__clang_minor__);
+    return u"clang %1.%2"_s.arg(__clang_major__).arg(__clang_minor__);
 #else
-    return QStringLiteral("g++ %1.%2").arg(__GNUC__).arg(__GNUC_MINOR__);
+    return u"g++ %1.%2"_s.arg(__GNUC__).arg(__GNUC_MINOR__);
 #endif
 }
 
@@ -76,8 +77,7 @@ MachineConditions thisMachine()
     machine.processors = int(std::thread::hardware_concurrency());
     machine.caches = cachesOfFirstProcessor();
     machine.governor = contentOf("/sys/devices/system/cpu/cpu0/cpufreq/scaling_governor");
-    machine.system
-        = QSysInfo::prettyProductName() + QStringLiteral(", kernel ") + QSysInfo::kernelVersion();
+    machine.system = QSysInfo::prettyProductName() + u", kernel "_s + QSysInfo::kernelVersion();
     machine.compiler = compilerName();
     machine.flags = QStringLiteral(PIXELPLUMB_COMPILER_FLAGS).simplified();
     machine.buildType = QStringLiteral(PIXELPLUMB_BUILD_TYPE);
@@ -92,34 +92,31 @@ QStringList warningsOf(const MachineConditions &conditions)
 {
     QStringList warnings;
     if (conditions.load > quietLoad) {
-        warnings << QStringLiteral("Other programs were running when this began (load average %1). "
-                                   "Trust the ratios, which are taken within a round, more than "
-                                   "the times, and nothing closer than 20 %.")
-                        .arg(conditions.load, 0, 'f', 2);
+        warnings << u"Other programs were running when this began (load average %1). "
+                    "Trust the ratios, which are taken within a round, more than "
+                    "the times, and nothing closer than 20 %."_s.arg(conditions.load, 0, 'f', 2);
     }
     if (!conditions.governor.isEmpty() && conditions.governor != QLatin1String("performance")) {
-        warnings << QStringLiteral("The processor changes its clock by itself (governor %1).")
-                        .arg(conditions.governor);
+        warnings << u"The processor changes its clock by itself (governor %1)."_s.arg(
+            conditions.governor);
     }
     if (conditions.buildType != QLatin1String("Release")) {
-        warnings << QStringLiteral("This is a %1 build: its times say nothing.")
-                        .arg(conditions.buildType);
+        warnings << u"This is a %1 build: its times say nothing."_s.arg(conditions.buildType);
     } else if (!conditions.flags.contains(QLatin1String("-O2"))
                && !conditions.flags.contains(QLatin1String("-O3"))) {
-        warnings << QStringLiteral("This build is hardly optimised (%1): its times say little.")
-                        .arg(conditions.flags);
+        warnings << u"This build is hardly optimised (%1): its times say little."_s.arg(
+            conditions.flags);
     }
     if (!conditions.sanitizers.isEmpty()) {
-        warnings << QStringLiteral("This build has sanitizers (%1): its times say nothing.")
-                        .arg(conditions.sanitizers.join(QStringLiteral(", ")));
+        warnings << u"This build has sanitizers (%1): its times say nothing."_s.arg(
+            conditions.sanitizers.join(u", "_s));
     }
     return warnings;
 }
 
 QString summaryOf(const MachineConditions &conditions)
 {
-    return QStringLiteral("%1, %2 processors, %3 %4, %5, %6")
-        .arg(conditions.processor)
+    return u"%1, %2 processors, %3 %4, %5, %6"_s.arg(conditions.processor)
         .arg(conditions.processors)
         .arg(conditions.compiler, conditions.flags, conditions.buildType,
              conditions.instructionSet);

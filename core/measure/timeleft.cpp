@@ -6,6 +6,8 @@
 
 namespace pixelplumb {
 
+using namespace Qt::StringLiterals;
+
 namespace {
 
 constexpr double secondsOfTrust = 2; ///< that the job would have to go on otherwise to be believed
@@ -47,8 +49,7 @@ QString TimeLeft::text() const
     const std::string_view phase = m_progress
         ? nameOf(m_progress->phase)
         : std::string_view(QT_TRANSLATE_NOOP("core", "waiting"));
-    return QStringLiteral("%1: %2 %, %3 left")
-        .arg(QString::fromUtf8(phase.data(), qsizetype(phase.size())))
+    return u"%1: %2 %, %3 left"_s.arg(QString::fromUtf8(phase.data(), qsizetype(phase.size())))
         .arg(std::lround(100 * share()))
         .arg(aboutText(seconds()));
 }

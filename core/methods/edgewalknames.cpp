@@ -50,15 +50,13 @@ QString EdgeWalkNames::way(std::size_t corner, VariantSet variants) const
 {
     // Rows are walked from the largest y on, columns from the smallest x.
     if (variants.contains(Variant::NoEdgePreStep))
-        return (isRow() ? QStringLiteral("(⌊y%1⌋ − y)") : QStringLiteral("(x − ⌈x%1⌉)"))
-            .arg(vertexDigits[corner]);
-    return (isRow() ? QStringLiteral("(y%1 − y)") : QStringLiteral("(x − x%1)"))
-        .arg(vertexDigits[corner]);
+        return (isRow() ? u"(⌊y%1⌋ − y)"_s : u"(x − ⌈x%1⌉)"_s).arg(vertexDigits[corner]);
+    return (isRow() ? u"(y%1 − y)"_s : u"(x − x%1)"_s).arg(vertexDigits[corner]);
 }
 
 QString EdgeWalkNames::way(std::size_t from, std::size_t to) const
 {
-    const QString pattern = isRow() ? QStringLiteral("(y%1 − y%2)") : QStringLiteral("(x%2 − x%1)");
+    const QString pattern = isRow() ? u"(y%1 − y%2)"_s : u"(x%2 − x%1)"_s;
     return pattern.arg(vertexDigits[from]).arg(vertexDigits[to]);
 }
 
@@ -78,22 +76,20 @@ bool EdgeWalkNames::isTooShort(const std::array<Vertex, 3> &corners, SortedEdge 
 
 QString EdgeWalkNames::heading(const EdgeWalkSpanState &state) const
 {
-    const QString place = isRow() ? QStringLiteral("Row %1").arg(-state.column.x)
-                                  : QStringLiteral("Column %1").arg(state.column.x);
+    const QString place
+        = isRow() ? u"Row %1"_s.arg(-state.column.x) : u"Column %1"_s.arg(state.column.x);
     if (!state.start.hasPlane)
         return place;
     return place
-        + filled(state.column.half == ColumnHalf::First ? QStringLiteral(", first {half}")
-                                                        : QStringLiteral(", second {half}"));
+        + filled(state.column.half == ColumnHalf::First ? u", first {half}"_s
+                                                        : u", second {half}"_s);
 }
 
 QString EdgeWalkNames::coveredSample(SpanBound bound, Interval covered) const
 {
     if (bound == SpanBound::Lower)
-        return biased(filled(ownsFirst(covered) ? QStringLiteral("⌈{a}_{lo}⌉")
-                                                : QStringLiteral("⌊{a}_{lo}⌋ + 1")));
-    return biased(filled(ownsLast(covered) ? QStringLiteral("⌊{a}_{hi}⌋")
-                                           : QStringLiteral("⌈{a}_{hi}⌉ − 1")));
+        return biased(filled(ownsFirst(covered) ? u"⌈{a}_{lo}⌉"_s : u"⌊{a}_{lo}⌋ + 1"_s));
+    return biased(filled(ownsLast(covered) ? u"⌊{a}_{hi}⌋"_s : u"⌈{a}_{hi}⌉ − 1"_s));
 }
 
 QString EdgeWalkNames::biased(QString rounding) const
@@ -101,8 +97,7 @@ QString EdgeWalkNames::biased(QString rounding) const
     if (m_form.walk == WalkForm::Accumulated)
         return rounding;
     const QString bound = rounding.contains(filled("_{lo}")) ? filled("β_{lo}") : filled("β_{hi}");
-    return rounding.replace(u'⌉', QStringLiteral(" − %1⌉").arg(bound))
-        .replace(u'⌋', QStringLiteral(" + %1⌋").arg(bound));
+    return rounding.replace(u'⌉', u" − %1⌉"_s.arg(bound)).replace(u'⌋', u" + %1⌋"_s.arg(bound));
 }
 
 QString EdgeWalkNames::exchanged(const QString &title) const
@@ -122,8 +117,7 @@ QString EdgeWalkNames::boundFormula(const EdgeWalkSpanState &state, SpanBound bo
     const bool goesOn = m_form.walk == WalkForm::Accumulated && !state.isFirst
         && (edge == SortedEdge::L02 || !state.beginsHalf);
     if (goesOn)
-        return QStringLiteral("%1 ← %2′ + %3")
-            .arg(title, state.isCrossed ? exchanged(title) : title, slope);
+        return u"%1 ← %2′ + %3"_s.arg(title, state.isCrossed ? exchanged(title) : title, slope);
     const bool isAlong = hasNoSlope(state.corners, edge);
     // A segment along the span lies in a single span, from P0 to P2.
     const bool isSegmentsEnd = !state.start.hasPlane && isAlong && bound == SpanBound::Upper;
@@ -134,21 +128,20 @@ QString EdgeWalkNames::boundFormula(const EdgeWalkSpanState &state, SpanBound bo
     const Lattice first
         = variants.contains(Variant::NoEdgePreStep) ? ceilPixel(vertex) * unitsPerPixel : vertex;
     if (isAlong || state.column.x * unitsPerPixel == first)
-        return QStringLiteral("%1 ← %2").arg(title, start);
-    return QStringLiteral("%1 ← %2 + %3·%4")
-        .arg(title, start, way(state.digits[from], variants), slope);
+        return u"%1 ← %2"_s.arg(title, start);
+    return u"%1 ← %2 + %3·%4"_s.arg(title, start, way(state.digits[from], variants), slope);
 }
 
 QString planeSlope(QChar axis, const QString &doubledArea)
 {
     return u'('
-        + (axis == u'x' ? QStringLiteral("(%₁ − %₀)·(y₂ − y₀) − (%₂ − %₀)·(y₁ − y₀)")
-                        : QStringLiteral("(%₂ − %₀)·(x₁ − x₀) − (%₁ − %₀)·(x₂ − x₀)"))
-        + QStringLiteral(")/") + doubledArea;
+        + (axis == u'x' ? u"(%₁ − %₀)·(y₂ − y₀) − (%₂ − %₀)·(y₁ − y₀)"_s
+                        : u"(%₂ − %₀)·(x₁ − x₀) − (%₁ − %₀)·(x₂ − x₀)"_s)
+        + u")/"_s + doubledArea;
 }
 
-QString doubledAreaText() { return QStringLiteral("(x₁ − x₀)·(y₂ − y₀) − (x₂ − x₀)·(y₁ − y₀)"); }
+QString doubledAreaText() { return u"(x₁ − x₀)·(y₂ − y₀) − (x₂ − x₀)·(y₁ − y₀)"_s; }
 
-QString colourBiasTitle() { return QStringLiteral("β_C"); }
+QString colourBiasTitle() { return u"β_C"_s; }
 
 } // namespace pixelplumb

@@ -7,8 +7,8 @@ namespace pixelplumb {
 
 QString spanRuleReason(SpanAxis axis)
 {
-    return QStringLiteral("a %1 ends at its two bounds whatever edge they belong to")
-        .arg(axis == SpanAxis::Row ? QStringLiteral("row") : QStringLiteral("column"));
+    return u"a %1 ends at its two bounds whatever edge they belong to"_s.arg(
+        axis == SpanAxis::Row ? u"row"_s : u"column"_s);
 }
 
 bool Method::supports(Arithmetic arithmetic) const

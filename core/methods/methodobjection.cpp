@@ -43,8 +43,7 @@ QStringList methodsThatDo(const std::vector<Effect> &effects, const Draws &draws
 /// What asks for it: the scene, or only the user's switch.
 QString askerText(bool isCalledFor)
 {
-    return isCalledFor ? QStringLiteral("which the scene calls for")
-                       : QStringLiteral("which is forced on");
+    return isCalledFor ? u"which the scene calls for"_s : u"which is forced on"_s;
 }
 QString askerText(const EffectPlan &plan, const std::vector<Effect> &effects)
 {
@@ -52,7 +51,7 @@ QString askerText(const EffectPlan &plan, const std::vector<Effect> &effects)
         = [&plan](Effect effect) { return plan.verdicts[effect].verdict != Verdict::NotCalledFor; };
     const bool areAll = std::ranges::all_of(effects, isCalledFor);
     if (!areAll && std::ranges::any_of(effects, isCalledFor))
-        return QStringLiteral("which the scene calls for or which are forced on");
+        return u"which the scene calls for or which are forced on"_s;
     return askerText(areAll);
 }
 
@@ -74,22 +73,19 @@ QString ableText(const std::vector<Effect> &effects, const ScanSettings &setting
         });
         hindrances.clear();
         if (!asksForRule)
-            hindrances
-                += QStringLiteral("under the fill rule ") + quoted(nameOf(settings.fillRule));
+            hindrances += u"under the fill rule "_s + quoted(nameOf(settings.fillRule));
         if (!asksForArithmetic)
-            hindrances += QStringLiteral("in ") + quoted(nameOf(settings.arithmetic));
+            hindrances += u"in "_s + quoted(nameOf(settings.arithmetic));
         return !able.isEmpty();
     };
     const bool isAny = ask(true, true) || ask(true, false) || ask(false, true) || ask(false, false);
     if (!isAny)
-        return QStringLiteral("no method can");
+        return u"no method can"_s;
     // Effects are never run with variants.
     if (!settings.isRight())
-        hindrances += QStringLiteral("with variants");
-    const QString text = QStringLiteral("%1 can").arg(able.join(QStringLiteral(", ")));
-    return hindrances.isEmpty()
-        ? text
-        : text + QStringLiteral(", but not ") + hindrances.join(QStringLiteral(" and not "));
+        hindrances += u"with variants"_s;
+    const QString text = u"%1 can"_s.arg(able.join(u", "_s));
+    return hindrances.isEmpty() ? text : text + u", but not "_s + hindrances.join(u" and not "_s);
 }
 
 bool drawsTriangles(const Method &method) { return method.draws(PrimitiveKind::Triangle); }
@@ -97,8 +93,7 @@ bool drawsTriangles(const Method &method) { return method.draws(PrimitiveKind::T
 /// `able`: which methods can.
 QString lackText(const std::vector<Effect> &missing, const QString &asker, const QString &able)
 {
-    return QStringLiteral("cannot do %1, %2; %3")
-        .arg(namesOf(missing).join(QStringLiteral(", ")), asker, able);
+    return u"cannot do %1, %2; %3"_s.arg(namesOf(missing).join(u", "_s), asker, able);
 }
 
 /// The ids of the methods that accept the variant: under the other settings, else under any.
@@ -119,12 +114,11 @@ QStringList methodsThatKnow(Variant variant, const ScanSettings &settings)
 QString unknownVariantText(const Method &method, Variant variant, const ScanSettings &settings)
 {
     const QString separator = ", ";
-    const QString text
-        = QStringLiteral("knows no variant %1; that one is for %2")
-              .arg(quoted(nameOf(variant)), methodsThatKnow(variant, settings).join(separator));
-    return method.variants.empty() ? text
-                                   : text + QStringLiteral("; its own variants are ")
-            + namesOf(method.variants).join(separator);
+    const QString text = u"knows no variant %1; that one is for %2"_s.arg(
+        quoted(nameOf(variant)), methodsThatKnow(variant, settings).join(separator));
+    return method.variants.empty()
+        ? text
+        : text + u"; its own variants are "_s + namesOf(method.variants).join(separator);
 }
 
 /// Most methods always draw colours: only those that shade by a plan can leave them out.
@@ -136,8 +130,8 @@ QString smoothColourObjection(const Method &method, const EffectPlan &plan,
     const bool shades = method.supports(Effect::Blending) && method.shadesIn(settings.arithmetic);
     if (!isLeftOut || (shades && settings.isRight()))
         return {};
-    return QStringLiteral("cannot leave out smooth colour, which is forced off; %1")
-        .arg(ableText({Effect::Blending}, settings, drawsTriangles));
+    return u"cannot leave out smooth colour, which is forced off; %1"_s.arg(
+        ableText({Effect::Blending}, settings, drawsTriangles));
 }
 
 } // namespace
@@ -146,21 +140,19 @@ QString Method::objection(const ScanSettings &settings) const
 {
     QStringList objections;
     if (!supports(settings.arithmetic))
-        objections += QStringLiteral("does not compute in %1; it knows %2")
-                          .arg(quoted(nameOf(settings.arithmetic)),
-                               namesOf(arithmetics).join(QStringLiteral(", ")));
+        objections += u"does not compute in %1; it knows %2"_s.arg(
+            quoted(nameOf(settings.arithmetic)), namesOf(arithmetics).join(u", "_s));
     if (!supports(settings.fillRule))
-        objections += QStringLiteral("cannot keep the fill rule %1: %2; it keeps %3")
-                          .arg(quoted(nameOf(settings.fillRule)), fillRuleReason,
-                               namesOf(fillRules).join(QStringLiteral(", ")));
+        objections += u"cannot keep the fill rule %1: %2; it keeps %3"_s.arg(
+            quoted(nameOf(settings.fillRule)), fillRuleReason, namesOf(fillRules).join(u", "_s));
     for (const Variant variant : variantsIn(settings.variants)) {
         if (!supports(variant))
             objections += unknownVariantText(*this, variant, settings);
     }
     if (!settings.bugs.isRight() && !walksEdges())
-        objections += QStringLiteral("has none of the mistakes of a walk between two edges");
+        objections += u"has none of the mistakes of a walk between two edges"_s;
     if (!settings.testBugs.isRight() && !testsEdges)
-        objections += QStringLiteral("has none of the mistakes of a program that tests edges");
+        objections += u"has none of the mistakes of a program that tests edges"_s;
     return joinedObjections(objections);
 }
 
@@ -181,19 +173,19 @@ QString Method::objection(const EffectPlan &plan, const ScanSettings &settings) 
     QStringList hindrances;
     QStringList ways;
     if (!settings.isRight() && !run.empty()) {
-        hindrances += QStringLiteral("with variants, which depart from its colours alone");
-        ways += QStringLiteral("without them");
+        hindrances += u"with variants, which depart from its colours alone"_s;
+        ways += u"without them"_s;
     }
     const QString separator = ", ";
     if (!shadesIn(settings.arithmetic)) {
-        hindrances += QStringLiteral("in %1").arg(quoted(nameOf(settings.arithmetic)));
-        ways += QStringLiteral("in %1").arg(namesOf(shadingArithmetics).join(separator));
+        hindrances += u"in %1"_s.arg(quoted(nameOf(settings.arithmetic)));
+        ways += u"in %1"_s.arg(namesOf(shadingArithmetics).join(separator));
     }
     if (hindrances.isEmpty())
         return {};
-    return QStringLiteral("cannot do %1, %2, %3; it can %4")
-        .arg(namesOf(run).join(separator), askerText(plan, run),
-             hindrances.join(QStringLiteral(", nor ")), ways.join(QStringLiteral(" and ")));
+    return u"cannot do %1, %2, %3; it can %4"_s.arg(
+        namesOf(run).join(separator), askerText(plan, run), hindrances.join(u", nor "_s),
+        ways.join(u" and "_s));
 }
 
 QString Method::objection(const Shape &shape, const Appearance &appearance,
@@ -211,7 +203,7 @@ QString Method::objection(const Shape &shape, const Appearance &appearance,
 QString Method::refusal(const ScanSettings &settings) const
 {
     const QString why = objection(settings);
-    return why.isEmpty() ? why : QStringLiteral("method “%1” %2").arg(id, why);
+    return why.isEmpty() ? why : u"method “%1” %2"_s.arg(id, why);
 }
 
 ScanSettings Method::adapted(const ScanSettings &settings) const

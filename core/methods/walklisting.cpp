@@ -50,11 +50,10 @@ void WalkListing::nameSortedVerticesByLetters()
         constexpr std::array<QChar, 3> letters = {u'l', u'm', u'r'};
         for (const SortedEdge edge : sortedEdges) {
             const auto &ends = sortedEdgeEnds[std::size_t(edge)];
-            text.replace(subscriptOf(edge),
-                         QStringLiteral("_%1%2").arg(letters[ends[0]]).arg(letters[ends[1]]));
+            text.replace(subscriptOf(edge), u"_%1%2"_s.arg(letters[ends[0]]).arg(letters[ends[1]]));
         }
         for (std::size_t vertex = 0; vertex < 3; ++vertex)
-            text.replace(vertexDigits[vertex], QStringLiteral("_%1").arg(letters[vertex]));
+            text.replace(vertexDigits[vertex], u"_%1"_s.arg(letters[vertex]));
     };
     for (PseudocodeLine &line : m_code) {
         named(line.text);
@@ -66,12 +65,11 @@ void WalkListing::nameSortedVerticesByLetters()
 void WalkListing::addSorting()
 {
     const QString sorted = isRow()
-        ? QStringLiteral(
-            "sort the vertices by y, the largest first, those of equal y by x: P₀, P₁, P₂")
-        : QStringLiteral("sort the vertices by x, those of equal x by y: P₀, P₁, P₂");
+        ? u"sort the vertices by y, the largest first, those of equal y by x: P₀, P₁, P₂"_s
+        : u"sort the vertices by x, those of equal x by y: P₀, P₁, P₂"_s;
     addVaried(0, sorted, {SetUp},
               {{VariantSet().with(Variant::UnsortedColours),
-                sorted + QStringLiteral("; R, G, B stay in the order given")}});
+                sorted + u"; R, G, B stay in the order given"_s}});
 }
 
 void WalkListing::addSlopes()
@@ -80,7 +78,7 @@ void WalkListing::addSlopes()
                      plus = VariantSet().with(Variant::DivisorPlusOne);
     const auto text = [this](const QString &change, const QString &less) {
         return slope(change, less)
-            + (carriesColours() ? QStringLiteral("; δR_ij, δG_ij and δB_ij likewise") : QString());
+            + (carriesColours() ? u"; δR_ij, δG_ij and δB_ij likewise"_s : QString());
     };
     addVaried(0, text({}, {}), {SetUp},
               {{minus, text(" − 1", " − 1")},
@@ -90,11 +88,10 @@ void WalkListing::addSlopes()
 
 QString WalkListing::slope(const QString &change, const QString &less) const
 {
-    const QString width = isRow() ? QStringLiteral("y_i − y_j") : QStringLiteral("x_j − x_i");
-    const QString exists = isRow() ? QStringLiteral("y_j < y_i") : QStringLiteral("x_i < x_j");
-    return QStringLiteral(
-               "for each edge L_ij of L₀₁, L₁₂, L₀₂: m_ij ← ({a}_j − {a}_i)/(%1) if %2, else 0")
-        .arg(width + change, exists + less);
+    const QString width = isRow() ? u"y_i − y_j"_s : u"x_j − x_i"_s;
+    const QString exists = isRow() ? u"y_j < y_i"_s : u"x_i < x_j"_s;
+    return u"for each edge L_ij of L₀₁, L₁₂, L₀₂: m_ij ← ({a}_j − {a}_i)/(%1) if %2, else 0"_s.arg(
+        width + change, exists + less);
 }
 
 void WalkListing::addRejection() { add(0, "if no sample is to be drawn: done", {Rejected}); }
@@ -106,17 +103,16 @@ QString WalkListing::spans(FillRule rule, FrameOrigin origin) const
     const bool ownsFirst = rule != FillRule::Open && !isTopDown;
     const bool ownsLast = rule == FillRule::Closed || isTopDown;
     if (isRow())
-        return (ownsFirst ? QStringLiteral("⌊y₀⌋") : QStringLiteral("⌈y₀⌉ − 1"))
-            + QStringLiteral(" down to ")
-            + (ownsLast ? QStringLiteral("⌈y₂⌉") : QStringLiteral("⌊y₂⌋ + 1"));
-    return (ownsFirst ? QStringLiteral("⌈x₀⌉") : QStringLiteral("⌊x₀⌋ + 1"))
-        + QStringLiteral(" to ") + (ownsLast ? QStringLiteral("⌊x₂⌋") : QStringLiteral("⌈x₂⌉ − 1"));
+        return (ownsFirst ? u"⌊y₀⌋"_s : u"⌈y₀⌉ − 1"_s) + u" down to "_s
+            + (ownsLast ? u"⌈y₂⌉"_s : u"⌊y₂⌋ + 1"_s);
+    return (ownsFirst ? u"⌈x₀⌉"_s : u"⌊x₀⌋ + 1"_s) + u" to "_s
+        + (ownsLast ? u"⌊x₂⌋"_s : u"⌈x₂⌉ − 1"_s);
 }
 
 void WalkListing::addSpans()
 {
     const auto text = [this](FillRule rule, FrameOrigin origin) {
-        return QStringLiteral("for each {span} {c} of the frame from %1:").arg(spans(rule, origin));
+        return u"for each {span} {c} of the frame from %1:"_s.arg(spans(rule, origin));
     };
     add(0, text(FillRule::Closed, FrameOrigin::BottomLeft), everySpan);
     addRules(text);
@@ -127,30 +123,29 @@ void WalkListing::addSpans()
 /// How far the span is from a vertex, which is 0 or i.
 QString WalkListing::way(const QString &vertex) const
 {
-    return (isRow() ? QStringLiteral("({c}%1 − {c})") : QStringLiteral("({c} − {c}%1)"))
-        .arg(vertex);
+    return (isRow() ? u"({c}%1 − {c})"_s : u"({c} − {c}%1)"_s).arg(vertex);
 }
 
 QString WalkListing::alike() const
 {
-    return carriesColours() ? QStringLiteral("; R, G and B likewise") : QString();
+    return carriesColours() ? u"; R, G and B likewise"_s : QString();
 }
 
 QString WalkListing::fromVertex(const QString &edge, const QString &vertex,
                                 const QString &way) const
 {
-    return QStringLiteral("{a}%1 ← {a}%2 + %3·m%1").arg(edge, vertex, way) + alike();
+    return u"{a}%1 ← {a}%2 + %3·m%1"_s.arg(edge, vertex, way) + alike();
 }
 
 QString WalkListing::added(const QString &edge) const
 {
-    return QStringLiteral("else: {a}%1 ← {a}%1 + m%1").arg(edge) + alike();
+    return u"else: {a}%1 ← {a}%1 + m%1"_s.arg(edge) + alike();
 }
 
 void WalkListing::addBounds()
 {
-    const QString chosen = isRow() ? QStringLiteral("L_ij ← L₀₁ if y > y₁, else L₁₂")
-                                   : QStringLiteral("L_ij ← L₀₁ if x < x₁, else L₁₂");
+    const QString chosen
+        = isRow() ? u"L_ij ← L₀₁ if y > y₁, else L₁₂"_s : u"L_ij ← L₀₁ if x < x₁, else L₁₂"_s;
     const QString first = "₀", either = "_i";
     if (isDirect()) {
         add(1, fromVertex(longEdge, first, way(first)), everySpan);
@@ -170,7 +165,7 @@ void WalkListing::addBounds()
 void WalkListing::addBeginning(const QString &where, const QString &edge, const QString &vertex,
                                const std::vector<Moment> &moments, LineOf of)
 {
-    const QString whole = isRow() ? QStringLiteral("(⌊y%1⌋ − y)") : QStringLiteral("(x − ⌈x%1⌉)");
+    const QString whole = isRow() ? u"(⌊y%1⌋ − y)"_s : u"(x − ⌈x%1⌉)"_s;
     addVaried(1, where + fromVertex(edge, vertex, way(vertex)), moments,
               {{VariantSet().with(Variant::NoEdgePreStep),
                 where + fromVertex(edge, vertex, whole.arg(vertex))}},
@@ -179,8 +174,7 @@ void WalkListing::addBeginning(const QString &where, const QString &edge, const 
 
 QString WalkListing::ordered(const QString &condition) const
 {
-    return QStringLiteral("{a}_{lo}, {a}_{hi} ← {a}_ij, {a}₀₂ if %1, else {a}₀₂, {a}_ij")
-               .arg(condition)
+    return u"{a}_{lo}, {a}_{hi} ← {a}_ij, {a}₀₂ if %1, else {a}₀₂, {a}_ij"_s.arg(condition)
         + alike();
 }
 
@@ -188,9 +182,9 @@ QString WalkListing::ordered(const QString &condition) const
 /// the bounds are equal, the slopes tell which edge is the lower one.
 QString WalkListing::orderedWithSlopes() const
 {
-    return QStringLiteral("y_B, y_T, m_B, m_T ← y_ij, y₀₂, m_ij, m₀₂ if y_ij < y₀₂, or y_ij = y₀₂ "
-                          "and m_ij < m₀₂, else y₀₂, y_ij, m₀₂, m_ij")
-        + alike() + QStringLiteral(" — by exact y and m");
+    return u"y_B, y_T, m_B, m_T ← y_ij, y₀₂, m_ij, m₀₂ if y_ij < y₀₂, or y_ij = y₀₂ "
+           "and m_ij < m₀₂, else y₀₂, y_ij, m₀₂, m_ij"_s
+        + alike() + u" — by exact y and m"_s;
 }
 
 /// Tells the two bounds apart. Only the closed rule draws where rounding or a variant takes the
@@ -202,32 +196,27 @@ void WalkListing::addOrder()
         : isExact()                     ? "{a}_ij < {a}₀₂"
                                         : "{a}_ij < {a}₀₂, or {a}_ij = {a}₀₂ and A > 0";
     const QString area = " — A is twice the area, above 0 where L₀₂ has the larger {a}";
-    const QString remark = isExact() ? QStringLiteral(" — by exact {a}")
-        : isDirect()                 ? QString()
-                                     : area;
+    const QString remark = isExact() ? u" — by exact {a}"_s : isDirect() ? QString() : area;
     add(1, ordered(compared) + remark, everySpan, LineOf::Area);
     addRules([&](FillRule rule, FrameOrigin) {
         if (isExact() && !isRow() && rule == FillRule::TopLeft)
             return orderedWithSlopes();
         return isExact() ? ordered(compared) + remark : ordered("A > 0") + area;
     });
-    add(1,
-        QStringLiteral("{a}_{lo}, {a}_{hi} ← {a}₀, {a}₂ if {c}₀ = {c}₂, else {a}₀₂, {a}₀₂")
-            + alike(),
+    add(1, u"{a}_{lo}, {a}_{hi} ← {a}₀, {a}₂ if {c}₀ = {c}₂, else {a}₀₂, {a}₀₂"_s + alike(),
         everySpan, LineOf::Segment);
     if (!isDirect())
         return;
-    add(1, QStringLiteral("β_B, β_T ← β_ij, β₀₂ if %1, else β₀₂, β_ij").arg(compared), everySpan,
-        LineOf::Area);
+    add(1, u"β_B, β_T ← β_ij, β₀₂ if %1, else β₀₂, β_ij"_s.arg(compared), everySpan, LineOf::Area);
     add(1, "β_B, β_T ← β₀₂, β₀₂", everySpan, LineOf::Segment);
 }
 
 void WalkListing::addSamples()
 {
     const auto text = [this](FillRule rule, FrameOrigin origin) {
-        return QStringLiteral("for each {across} {a} of the frame from %1:%2")
-            .arg(samples(rule, origin),
-                 isExact() ? QStringLiteral(" — by exact bounds in every arithmetic") : QString());
+        return u"for each {across} {a} of the frame from %1:%2"_s.arg(
+            samples(rule, origin),
+            isExact() ? u" — by exact bounds in every arithmetic"_s : QString());
     };
     add(1, text(FillRule::Closed, FrameOrigin::BottomLeft), {First, Next});
     addRules(text);
@@ -239,12 +228,11 @@ void WalkListing::addSamples()
 QString WalkListing::samples(FillRule rule, FrameOrigin origin) const
 {
     if (rule == FillRule::TopLeft && !isRow())
-        return QStringLiteral(
-                   "⌈y_B⌉ if m_B %1 0, else ⌊y_B⌋ + 1 to ⌊y_T⌋ if m_T %2 0, else ⌈y_T⌉ − 1")
+        return u"⌈y_B⌉ if m_B %1 0, else ⌊y_B⌋ + 1 to ⌊y_T⌋ if m_T %2 0, else ⌈y_T⌉ − 1"_s
             .arg(origin == FrameOrigin::TopLeft ? QChar(u'≤') : QChar(u'<'))
             .arg(origin == FrameOrigin::TopLeft ? QChar(u'>') : QChar(u'≥'));
     const Interval interval = columnIntervals(rule).rows;
-    return m_names.coveredSample(SpanBound::Lower, interval) + QStringLiteral(" to ")
+    return m_names.coveredSample(SpanBound::Lower, interval) + u" to "_s
         + m_names.coveredSample(SpanBound::Upper, interval);
 }
 

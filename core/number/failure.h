@@ -9,6 +9,8 @@
 
 namespace pixelplumb {
 
+using namespace Qt::StringLiterals;
+
 /// Runs one part of a longer job; an exception ends that part alone. Returns the exception's
 /// message, or none where nothing was thrown.
 template <class Work>
@@ -17,7 +19,7 @@ std::optional<QString> failureOf(const Work &work)
     try {
         work();
     } catch (const std::bad_alloc &) {
-        return QStringLiteral("it does not fit into memory");
+        return u"it does not fit into memory"_s;
     } catch (const std::exception &exception) {
         return QString::fromLocal8Bit(exception.what());
     }

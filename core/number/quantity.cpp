@@ -185,7 +185,7 @@ QString withMinus(QString text)
 QString toText(Int128 value)
 {
     if (value == 0)
-        return QStringLiteral("0");
+        return u"0"_s;
     QString digits;
     const bool negative = value < 0;
     UInt128 rest = negative ? -UInt128(value) : UInt128(value);
@@ -216,7 +216,7 @@ QString mixedText(Int128 numerator, Int128 denominator)
     const Int128 magnitude = absolute(numerator);
     const Int128 whole = magnitude / denominator;
     const Int128 remainder = magnitude % denominator;
-    const QString sign = numerator < 0 ? QStringLiteral("-") : QString();
+    const QString sign = numerator < 0 ? u"-"_s : QString();
     if (remainder == 0)
         return sign + toText(whole);
     const QString fraction = toText(remainder) + u'/' + toText(denominator);

@@ -11,6 +11,8 @@
 
 namespace pixelplumb {
 
+using namespace Qt::StringLiterals; // u"…"_s is a QString
+
 /// A number as a kernel held it, in one form for tables, formulas and files: a rational (exact and
 /// fixed-point arithmetic) or a binary floating-point value. Nothing is lost in the conversion but
 /// the sign of a zero, which no formula uses.

@@ -16,6 +16,8 @@
 
 namespace pixelplumb {
 
+using namespace Qt::StringLiterals;
+
 namespace {
 
 struct LibraryDone {
@@ -83,12 +85,10 @@ int cubicTo(const FT_Vector *control1, const FT_Vector *control2, const FT_Vecto
 QString textFontFile()
 {
     // The folder's names on Debian, Fedora and Arch.
-    const QStringList folders = {QStringLiteral("truetype/dejavu"),
-                                 QStringLiteral("dejavu-sans-fonts"), QStringLiteral("TTF")};
+    const QStringList folders = {u"truetype/dejavu"_s, u"dejavu-sans-fonts"_s, u"TTF"_s};
     for (const QString &folder : folders) {
-        QString file
-            = QStandardPaths::locate(QStandardPaths::GenericDataLocation,
-                                     QStringLiteral("fonts/%1/DejaVuSans.ttf").arg(folder));
+        QString file = QStandardPaths::locate(QStandardPaths::GenericDataLocation,
+                                              u"fonts/%1/DejaVuSans.ttf"_s.arg(folder));
         if (!file.isEmpty())
             return file;
     }

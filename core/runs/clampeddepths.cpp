@@ -5,6 +5,8 @@
 
 namespace pixelplumb {
 
+using namespace Qt::StringLiterals;
+
 QString clampedDepthsText(const Primitives &primitives)
 {
     const Appearance &appearance = primitives.appearance;
@@ -18,10 +20,10 @@ QString clampedDepthsText(const Primitives &primitives)
     }
     if (clamped == 0)
         return {};
-    return (clamped == 1 ? QStringLiteral("%1 vertex has a depth outside 0 … 1, which %2 bits keep "
-                                          "as 0 or 1")
-                         : QStringLiteral("%1 vertices have a depth outside 0 … 1, which %2 bits "
-                                          "keep as 0 or 1"))
+    return (clamped == 1 ? u"%1 vertex has a depth outside 0 … 1, which %2 bits keep "
+                           "as 0 or 1"_s
+                         : u"%1 vertices have a depth outside 0 … 1, which %2 bits "
+                           "keep as 0 or 1"_s)
         .arg(clamped)
         .arg(int(appearance.depthFormat));
 }

@@ -8,7 +8,7 @@ namespace pixelplumb {
 QString Contender::name() const
 {
     if (isTruth())
-        return QStringLiteral("truth ") + nameText(nameOf(settings.fillRule));
+        return u"truth "_s + nameText(nameOf(settings.fillRule));
     const QStringList words
         = {method->id, nameText(nameOf(settings.arithmetic)), nameText(nameOf(settings.fillRule))};
     return (words + namesOf(variantsIn(settings.variants))).join(u' ');

@@ -28,8 +28,8 @@ QString countedPart(const ScanTrace &trace)
 {
     const auto has = [&trace](const QString &id) { return hasNumber(trace.numbers().span, id); };
     if (has("polygon") && has("triangle"))
-        return QStringLiteral("triangle");
-    return has("edge") ? QStringLiteral("edge") : QString();
+        return u"triangle"_s;
+    return has("edge") ? u"edge"_s : QString();
 }
 
 } // namespace
@@ -53,7 +53,7 @@ QString partName(const ScanTrace &trace, std::size_t span)
     const int part = trace.placeOf(span).part;
     const QString counted = countedPart(trace);
     return counted.isEmpty() ? QStringLiteral(QT_TRANSLATE_NOOP("core", "part %1")).arg(part + 1)
-                             : QStringLiteral("%1 %2").arg(counted).arg(part);
+                             : u"%1 %2"_s.arg(counted).arg(part);
 }
 
 QString spanHeading(const ScanTrace &trace, std::size_t span)
@@ -63,8 +63,7 @@ QString spanHeading(const ScanTrace &trace, std::size_t span)
         return words.heading;
     const SpanPlace &place = trace.placeOf(span);
     const bool isNamed = place.part > 0 || !countedPart(trace).isEmpty();
-    return isNamed ? placeText(place) + QStringLiteral(", ") + partName(trace, span)
-                   : placeText(place);
+    return isNamed ? placeText(place) + u", "_s + partName(trace, span) : placeText(place);
 }
 
 SpanAxis commonAxis(const ScanTrace &trace)

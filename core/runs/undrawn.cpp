@@ -25,8 +25,7 @@ QString undrawnKind(const Primitives &primitives, std::size_t primitive, const M
         return nameOf(kind);
     const auto fills = fillNamesOf(kind);
     const auto fill = std::ranges::find(fills, primitives.shape(primitive).fill, &FillName::fill);
-    return fill == fills.end() ? nameOf(kind)
-                               : QStringLiteral("%1 (%2)").arg(nameOf(kind), QString(fill->name));
+    return fill == fills.end() ? nameOf(kind) : u"%1 (%2)"_s.arg(nameOf(kind), QString(fill->name));
 }
 
 } // namespace
@@ -56,7 +55,7 @@ QStringList undrawnAt(const Primitives &primitives, const Method &method, const 
             : oracle::covers(primitives.shape(i), primitives.appearance,
                              oracle::StrokeTruth::NearestPixels, rule.origin, x, y);
         if (covers)
-            undrawn.append(QStringLiteral("%1 %2").arg(nameOf(primitives.kindOf(i))).arg(i));
+            undrawn.append(u"%1 %2"_s.arg(nameOf(primitives.kindOf(i))).arg(i));
     }
     return undrawn;
 }

@@ -35,7 +35,7 @@ QList<QStringView> linesOf(QStringView text)
 
 InputError unexpected(qsizetype line, const QString &found, const QString &expected)
 {
-    return {QStringLiteral("line %1").arg(line + 1), found, expected};
+    return {u"line %1"_s.arg(line + 1), found, expected};
 }
 
 } // namespace
@@ -69,11 +69,10 @@ Result<CoverageMask> parseAsciiRaster(QStringView text)
     const qsizetype width = lines.front().size();
     if (width > largestFrameSide || lines.size() > largestFrameSide
         || width * lines.size() > largestFrameArea) {
-        return InputError{{},
-                          QStringLiteral("a raster of %1 × %2").arg(width).arg(lines.size()),
-                          QStringLiteral("at most %1 on a side and %2 pixels")
-                              .arg(largestFrameSide)
-                              .arg(largestFrameArea)};
+        return InputError{
+            {},
+            u"a raster of %1 × %2"_s.arg(width).arg(lines.size()),
+            u"at most %1 on a side and %2 pixels"_s.arg(largestFrameSide).arg(largestFrameArea)};
     }
     FrameSpec spec;
     spec.width = std::int32_t(width);
@@ -81,16 +80,15 @@ Result<CoverageMask> parseAsciiRaster(QStringView text)
     CoverageMask coverage(spec);
     for (qsizetype line = 0; line < lines.size(); ++line) {
         if (lines[line].size() != width)
-            return unexpected(line, QStringLiteral("its length is %1").arg(lines[line].size()),
-                              QStringLiteral("%1, as that of the first line").arg(width));
+            return unexpected(line, u"its length is %1"_s.arg(lines[line].size()),
+                              u"%1, as that of the first line"_s.arg(width));
         for (qsizetype column = 0; column < width; ++column) {
             const QChar character = lines[line][column];
             if (character == covered)
                 coverage.cover(column, rowOfPictureLine(spec, int(line)));
             else if (character != uncovered)
-                return InputError{
-                    QStringLiteral("line %1, column %2").arg(line + 1).arg(column + 1),
-                    QStringLiteral("“%1”").arg(character), "# or ."};
+                return InputError{u"line %1, column %2"_s.arg(line + 1).arg(column + 1),
+                                  u"“%1”"_s.arg(character), "# or ."};
         }
     }
     return coverage;

@@ -179,7 +179,7 @@ QString refusalOfAll(const Scene &scene, const OpenSettings &open)
 {
     const std::vector<NamedSetting> named = namedSettings(scene.settings, open);
     const auto textOf = [](const NamedSetting &setting) {
-        return QStringLiteral("%1 “%2”").arg(setting.kind, nameText(setting.name));
+        return u"%1 “%2”"_s.arg(setting.kind, nameText(setting.name));
     };
     const bool hasSeveralVariants = variantsIn(scene.settings.variants).size() > 1;
     QStringList texts;
@@ -190,13 +190,11 @@ QString refusalOfAll(const Scene &scene, const OpenSettings &open)
         QStringList dropped;
         for (const NamedSetting &setting : way)
             dropped += setting.variant && hasSeveralVariants ? textOf(setting) : setting.kind;
-        ways += QStringLiteral("without ") + dropped.join(QStringLiteral(" and "));
+        ways += u"without "_s + dropped.join(u" and "_s);
     }
-    const QString text = QStringLiteral("no method that draws its first primitive keeps ")
-        + texts.join(QStringLiteral(" and "));
-    return ways.isEmpty()
-        ? text
-        : text + QStringLiteral("; one does ") + ways.join(QStringLiteral(", or "));
+    const QString text
+        = u"no method that draws its first primitive keeps "_s + texts.join(u" and "_s);
+    return ways.isEmpty() ? text : text + u"; one does "_s + ways.join(u", or "_s);
 }
 
 } // namespace pixelplumb

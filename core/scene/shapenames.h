@@ -7,6 +7,8 @@
 
 namespace pixelplumb {
 
+using namespace Qt::StringLiterals;
+
 /// A fill's name in files, for one kind of shape.
 struct FillName {
     const char *name;
@@ -45,7 +47,7 @@ inline std::span<const FillName> fillNamesOf(PrimitiveKind kind)
 /// The key that names a kind of primitive in files: "triangle", "points", "line", …
 inline QString keyOf(PrimitiveKind kind)
 {
-    return kind == PrimitiveKind::Point ? QStringLiteral("points") : nameOf(kind);
+    return kind == PrimitiveKind::Point ? u"points"_s : nameOf(kind);
 }
 
 } // namespace pixelplumb

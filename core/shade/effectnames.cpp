@@ -4,6 +4,8 @@
 
 namespace pixelplumb {
 
+using namespace Qt::StringLiterals;
+
 std::string_view nameOf(Verdict verdict)
 {
     switch (verdict) {
@@ -46,7 +48,7 @@ QString namesOf(const EffectSet &effects)
         if (contains(effects, effect))
             names.append(nameText(nameOf(effect)));
     }
-    return names.empty() ? QStringLiteral("one colour") : names.join(QStringLiteral(", "));
+    return names.empty() ? u"one colour"_s : names.join(u", "_s);
 }
 
 } // namespace pixelplumb

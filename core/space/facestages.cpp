@@ -10,6 +10,8 @@
 
 namespace pixelplumb {
 
+using namespace Qt::StringLiterals;
+
 namespace {
 
 /// Writes the stages of one face from its projections in doubles and without rounding.
@@ -57,10 +59,8 @@ private:
             m_used.vertices, [](const auto &vertex) { return vertex.normal.isZero(); });
         ProjectionStage &stage = begin(
             "Vertex",
-            QStringLiteral(
-                "The face's vertices in the scene's space, their colours times the material's")
-                + (hasNormals ? QString()
-                              : QStringLiteral(", N = Σ (V_i − V₀) × (V_i₊₁ − V₀) to length 1")));
+            u"The face's vertices in the scene's space, their colours times the material's"_s
+                + (hasNormals ? QString() : u", N = Σ (V_i − V₀) × (V_i₊₁ − V₀) to length 1"_s));
         for (std::size_t i = 0; i < m_used.vertices.size(); ++i) {
             const SpaceVertex<double> &vertex = m_used.vertices[i];
             StagePoint &point = stage.points.emplace_back(StagePoint{faceVertexName(i), {}, {}});
@@ -76,13 +76,13 @@ private:
             writeFace(stage.points.emplace_back(StagePoint{facePointName(), {}, {}}));
     }
 
-    static QString faceNormalName(QChar axis) { return QStringLiteral("face_") + axis; }
+    static QString faceNormalName(QChar axis) { return u"face_"_s + axis; }
 
     /// Writes the face's own normal.
     void writeFace(StagePoint &point)
     {
         StageNumberWriter numbers(point.numbers);
-        const auto area = [](QChar axis) { return QStringLiteral("area_") + axis; };
+        const auto area = [](QChar axis) { return u"area_"_s + axis; };
         const auto exactArea = fanArea(m_exact.vertices);
         numbers.add(
             area, fanArea(m_used.vertices), &exactArea,
@@ -104,8 +104,8 @@ private:
             = begin("Camera", "x to the right, y up, the eye at 0, looking along −z");
         writeCameraPoint(stage.points.emplace_back(StagePoint{cameraPointName(), {}, {}}), m_scene);
         const auto along = [](const char *axis) {
-            return QStringLiteral("%_x·(x − E_x) + %_y·(y − E_y) + %_z·(z − E_z)")
-                .replace(u'%', QLatin1String(axis));
+            return u"%_x·(x − E_x) + %_y·(y − E_y) + %_z·(z − E_z)"_s.replace(u'%',
+                                                                              QLatin1String(axis));
         };
         for (std::size_t i = 0; i < m_used.views.size(); ++i) {
             StagePoint &point = stage.points.emplace_back(StagePoint{faceVertexName(i), {}, {}});
@@ -121,21 +121,20 @@ private:
     void writeClipCoordinates()
     {
         const bool isPerspective = m_scene.camera.projection == Projection::Perspective;
-        ProjectionStage &stage = begin(
-            "Clip coordinates",
-            isPerspective
-                ? QStringLiteral("w = −z_view, z_clip = (w − near)·far/(far − near), y_clip = "
-                                 "y_view·cot(fieldOfView/2), x_clip likewise by the aspect")
-                : QStringLiteral("w = 1, z_clip = (−z_view − near)/(far − near), y_clip = "
-                                 "2y_view/height, x_clip likewise by the aspect"));
+        ProjectionStage &stage
+            = begin("Clip coordinates",
+                    isPerspective ? u"w = −z_view, z_clip = (w − near)·far/(far − near), y_clip = "
+                                    "y_view·cot(fieldOfView/2), x_clip likewise by the aspect"_s
+                                  : u"w = 1, z_clip = (−z_view − near)/(far − near), y_clip = "
+                                    "2y_view/height, x_clip likewise by the aspect"_s);
         for (std::size_t i = 0; i < m_used.polygon.size(); ++i) {
             const QString note = m_used.polygon[i].isInside()
-                ? QStringLiteral("at or beyond the near plane: z_clip ≥ 0")
-                : QStringLiteral("before the near plane: z_clip < 0");
+                ? u"at or beyond the near plane: z_clip ≥ 0"_s
+                : u"before the near plane: z_clip < 0"_s;
             StagePoint &point = stage.points.emplace_back(StagePoint{faceVertexName(i), note, {}});
             writeClipPoint(point, m_used.polygon[i].clip, &m_exact.polygon[i].clip,
                            {"scale_x·x_view", "scale_y·y_view", "scale_z·(−z_view − near)",
-                            isPerspective ? QStringLiteral("−z_view") : QStringLiteral("1")});
+                            isPerspective ? u"−z_view"_s : u"1"_s});
         }
     }
 
@@ -147,31 +146,27 @@ private:
         for (std::size_t i = 0; i < m_used.clipped.size(); ++i) {
             const ClippedCorner<double> &corner = m_used.clipped[i];
             const ClippedCorner<ExactReal> *exact = exactCornerOf(corner);
-            const QString note = corner.isCut()
-                ? QStringLiteral("the near plane cuts %1%2")
-                      .arg(faceVertexName(corner.inside), faceVertexName(corner.outside))
-                : QStringLiteral("%1, kept").arg(faceVertexName(corner.inside));
+            const QString note = corner.isCut() ? u"the near plane cuts %1%2"_s.arg(
+                                     faceVertexName(corner.inside), faceVertexName(corner.outside))
+                                                : u"%1, kept"_s.arg(faceVertexName(corner.inside));
             StagePoint &point
                 = stage.points.emplace_back(StagePoint{clippedCornerName(i), note, {}});
-            const QString x = QStringLiteral("x_clip");
-            const QString y = QStringLiteral("y_clip");
-            const QString z = QStringLiteral("z_clip");
+            const QString x = u"x_clip"_s;
+            const QString y = u"y_clip"_s;
+            const QString z = u"z_clip"_s;
             const auto kept = [&](const QString &name) { return clipName(name, corner.inside); };
             const auto between = [&](const QString &name) {
-                return QStringLiteral("%1 + t·(%2 − %1)")
-                    .arg(kept(name), clipName(name, corner.outside));
+                return u"%1 + t·(%2 − %1)"_s.arg(kept(name), clipName(name, corner.outside));
             };
             if (corner.isCut())
                 StageNumberWriter(point.numbers)
                     .add("t", corner.t, exact ? &exact->t : nullptr,
-                         QStringLiteral("%1/(%1 − %2)").arg(kept(z), clipName(z, corner.outside)));
+                         u"%1/(%1 − %2)"_s.arg(kept(z), clipName(z, corner.outside)));
             const bool isPerspective = m_scene.camera.projection == Projection::Perspective;
-            writeClipPoint(
-                point, corner.vertex.clip, exact ? &exact->vertex.clip : nullptr,
-                corner.isCut()
-                    ? ClipFormulas{between(x), between(y), "0",
-                                   isPerspective ? QStringLiteral("near") : QStringLiteral("1")}
-                    : ClipFormulas{kept(x), kept(y), kept(z), kept(QStringLiteral("w"))});
+            writeClipPoint(point, corner.vertex.clip, exact ? &exact->vertex.clip : nullptr,
+                           corner.isCut() ? ClipFormulas{between(x), between(y), "0",
+                                                         isPerspective ? u"near"_s : u"1"_s}
+                                          : ClipFormulas{kept(x), kept(y), kept(z), kept(u"w"_s)});
             writeCarried(point, corner, exact);
         }
     }
@@ -208,10 +203,10 @@ private:
         const bool isUpward = m_scene.frame.origin == FrameOrigin::BottomLeft;
         ProjectionStage &stage
             = begin("Frame",
-                    isUpward ? QStringLiteral("x = first column + (x_device + 1)/2·width − ½, y = "
-                                              "first row + (y_device + 1)/2·height − ½, px")
-                             : QStringLiteral("x = first column + (x_device + 1)/2·width − ½, y = "
-                                              "first row + (1 − y_device)/2·height − ½, px"));
+                    isUpward ? u"x = first column + (x_device + 1)/2·width − ½, y = "
+                               "first row + (y_device + 1)/2·height − ½, px"_s
+                             : u"x = first column + (x_device + 1)/2·width − ½, y = "
+                               "first row + (1 − y_device)/2·height − ½, px"_s);
         for (std::size_t i = 0; i < m_used.places.size(); ++i) {
             StagePoint &point = stage.points.emplace_back(StagePoint{clippedCornerName(i), {}, {}});
             const auto at = exactPlaceOf(m_used.clipped[i]);
@@ -219,21 +214,19 @@ private:
             numbers.add("x", m_used.places[i][0], at ? &m_exact.places[*at][0] : nullptr,
                         "x_first + (x_device + 1)/2·width − ½");
             numbers.add("y", m_used.places[i][1], at ? &m_exact.places[*at][1] : nullptr,
-                        isUpward ? QStringLiteral("y_first + (y_device + 1)/2·height − ½")
-                                 : QStringLiteral("y_first + (1 − y_device)/2·height − ½"));
+                        isUpward ? u"y_first + (y_device + 1)/2·height − ½"_s
+                                 : u"y_first + (1 − y_device)/2·height − ½"_s);
         }
     }
 
     /// Here the error is the displacement by snapping.
     void writeLattice()
     {
-        const QString depthUnit = m_wExponent == 0
-            ? QString()
-            : QStringLiteral("; w is the view depth times 2^%1").arg(m_wExponent);
+        const QString depthUnit
+            = m_wExponent == 0 ? QString() : u"; w is the view depth times 2^%1"_s.arg(m_wExponent);
         ProjectionStage &stage = begin(
             "Lattice",
-            QStringLiteral("x and y to the nearest 1/256 px, z, w, u and v to the nearest 2^−24")
-                + depthUnit);
+            u"x and y to the nearest 1/256 px, z, w, u and v to the nearest 2^−24"_s + depthUnit);
         for (std::size_t i = 0; i < m_stages.corners.size(); ++i) {
             const SnappedCorner &corner = m_stages.corners[i];
             StagePoint &point = stage.points.emplace_back(StagePoint{clippedCornerName(i), {}, {}});

@@ -7,6 +7,8 @@
 
 namespace pixelplumb {
 
+using namespace Qt::StringLiterals;
+
 namespace {
 
 /// Sets attributes, and remembers whether one did not fit.
@@ -113,9 +115,9 @@ QString nameOf(ProjectionLoss loss)
         return QStringLiteral(
             QT_TRANSLATE_NOOP("core", "has a corner that the camera takes nowhere"));
     case ProjectionLoss::OutsideCoordinates:
-        return QStringLiteral("has a corner beyond ±2^30 px");
+        return u"has a corner beyond ±2^30 px"_s;
     case ProjectionLoss::OutsideAttributes:
-        return QStringLiteral("has a corner with a number beyond ±2^20");
+        return u"has a corner with a number beyond ±2^20"_s;
     }
     return {};
 }

@@ -8,9 +8,11 @@
 
 namespace pixelplumb {
 
+using namespace Qt::StringLiterals;
+
 namespace {
 
-QString normalName(QChar axis) { return axis + QStringLiteral("_N"); }
+QString normalName(QChar axis) { return axis + u"_N"_s; }
 
 void addUnit(StageNumberWriter &numbers, const QString &subscript, const SpaceVector<double> &used,
              const SpaceVector<ExactReal> &exact, const Component &component)
@@ -21,23 +23,21 @@ void addUnit(StageNumberWriter &numbers, const QString &subscript, const SpaceVe
 /// "S_0" for the position of a light, "d_0" for the direction in which it shines.
 QString sourceName(const Light &light, std::size_t index)
 {
-    return (light.kind == Light::Kind::Positional ? QStringLiteral("S_%1") : QStringLiteral("d_%1"))
-        .arg(index);
+    return (light.kind == Light::Kind::Positional ? u"S_%1"_s : u"d_%1"_s).arg(index);
 }
 
 /// The vector from the point to a position, or the direction itself.
 Component wayTo(Light::Kind kind, const QString &name)
 {
     return [=](QChar axis) {
-        return kind == Light::Kind::Positional
-            ? QStringLiteral("(%1%2 − %2)").arg(name, QString(axis))
-            : name + axis;
+        return kind == Light::Kind::Positional ? u"(%1%2 − %2)"_s.arg(name, QString(axis))
+                                               : name + axis;
     };
 }
 
 Component against(const QString &direction)
 {
-    return [=](QChar axis) { return QStringLiteral("(−%1%2)").arg(direction, QString(axis)); };
+    return [=](QChar axis) { return u"(−%1%2)"_s.arg(direction, QString(axis)); };
 }
 
 /// "light_0R·NL_0 + light_1R·NL_1".
@@ -45,8 +45,8 @@ QString sumOverLights(std::size_t count, QChar channel, const QString &term)
 {
     QStringList products;
     for (std::size_t i = 0; i < count; ++i)
-        products.append(QStringLiteral("light_%1%2·%3_%1").arg(i).arg(channel).arg(term));
-    return products.join(QStringLiteral(" + "));
+        products.append(u"light_%1%2·%3_%1"_s.arg(i).arg(channel).arg(term));
+    return products.join(u" + "_s);
 }
 
 void writeLights(StagePoint &point, const Appearance &appearance, const Material &material)
@@ -67,7 +67,7 @@ void writeLights(StagePoint &point, const Appearance &appearance, const Material
     colour("specular_", material.specular);
     for (std::size_t i = 0; i < appearance.lights.size(); ++i) {
         vector(sourceName(appearance.lights[i], i), appearance.lights[i].at);
-        colour(QStringLiteral("light_%1").arg(i), appearance.lights[i].colour);
+        colour(u"light_%1"_s.arg(i), appearance.lights[i].colour);
     }
 }
 
@@ -91,38 +91,34 @@ void writeLightAt(StagePoint &point, const Appearance &appearance, const Materia
                     wayTo(appearance.viewerKind, "viewer_"));
         }
         const QString source = sourceName(light, i);
-        addUnit(numbers, QStringLiteral("_L%1").arg(i), usedVectors.toLight, exactVectors.toLight,
+        addUnit(numbers, u"_L%1"_s.arg(i), usedVectors.toLight, exactVectors.toLight,
                 light.kind == Light::Kind::Positional ? wayTo(light.kind, source)
                                                       : against(source));
-        addUnit(numbers, QStringLiteral("_H%1").arg(i), usedVectors.halfway, exactVectors.halfway,
-                [i](QChar axis) { return QStringLiteral("(%1_L%2 + %1_V)").arg(axis).arg(i); });
-        numbers.add(QStringLiteral("NL_%1").arg(i), usedTerm.diffuse, exactTerm.diffuse,
-                    QStringLiteral("max(0, x_n·x_L%1 + y_n·y_L%1 + z_n·z_L%1)").arg(i));
-        numbers.add(QStringLiteral("highlight_%1").arg(i), usedTerm.specular, exactTerm.specular,
-                    usedTerm.diffuse > 0
-                        ? QStringLiteral("max(0, x_n·x_H%1 + y_n·y_H%1 + z_n·z_H%1)^%2")
-                              .arg(i)
-                              .arg(material.shininess)
-                        : QStringLiteral("0"));
+        addUnit(numbers, u"_H%1"_s.arg(i), usedVectors.halfway, exactVectors.halfway,
+                [i](QChar axis) { return u"(%1_L%2 + %1_V)"_s.arg(axis).arg(i); });
+        numbers.add(u"NL_%1"_s.arg(i), usedTerm.diffuse, exactTerm.diffuse,
+                    u"max(0, x_n·x_L%1 + y_n·y_L%1 + z_n·z_L%1)"_s.arg(i));
+        numbers.add(
+            u"highlight_%1"_s.arg(i), usedTerm.specular, exactTerm.specular,
+            usedTerm.diffuse > 0
+                ? u"max(0, x_n·x_H%1 + y_n·y_H%1 + z_n·z_H%1)^%2"_s.arg(i).arg(material.shininess)
+                : u"0"_s);
     }
     const auto usedLevels = litLevels(appearance, material, used.colour, used.point);
     const auto exactLevels = litLevels(appearance, material, exact.colour, exact.point);
     const std::size_t lights = appearance.lights.size();
     for (std::size_t channel = 0; channel < 3; ++channel) {
         const QChar letter = channelLetters[channel];
-        const QString base = QStringLiteral("base_") + letter;
-        const QString level = QStringLiteral("I_") + letter;
+        const QString base = u"base_"_s + letter;
+        const QString level = u"I_"_s + letter;
         numbers.add(base, used.colour.channels[channel], ExactReal(exact.colour.channels[channel]),
                     baseFormula(base));
-        numbers.add(level, usedLevels[channel], exactLevels[channel],
-                    QStringLiteral("(%1·(ambient_%2 + %3) + specular_%2·(%4))/255")
-                        .arg(base)
-                        .arg(letter)
-                        .arg(sumOverLights(lights, letter, "NL"),
-                             sumOverLights(lights, letter, "highlight")));
-        numbers.add(QStringLiteral("s_") + letter, levelByte(usedLevels[channel]),
-                    ExactReal(levelByte(exactLevels[channel])),
-                    QStringLiteral("min(255, ⌊%1 + ½⌋)").arg(level));
+        numbers.add(
+            level, usedLevels[channel], exactLevels[channel],
+            u"(%1·(ambient_%2 + %3) + specular_%2·(%4))/255"_s.arg(base).arg(letter).arg(
+                sumOverLights(lights, letter, "NL"), sumOverLights(lights, letter, "highlight")));
+        numbers.add(u"s_"_s + letter, levelByte(usedLevels[channel]),
+                    ExactReal(levelByte(exactLevels[channel])), u"min(255, ⌊%1 + ½⌋)"_s.arg(level));
     }
 }
 
@@ -140,7 +136,7 @@ void writeTint(StagePoint &point, const Colour &given, const Colour &diffuse)
         };
         add("c_", given, {});
         add("diffuse_", diffuse, {});
-        add("base_", base, QStringLiteral("⌊c_%·diffuse_%/255 + ½⌋").replace(u'%', letter));
+        add("base_", base, u"⌊c_%·diffuse_%/255 + ½⌋"_s.replace(u'%', letter));
     }
 }
 
@@ -148,8 +144,7 @@ ProjectionStage lightStageOf(const LitPart &part, const std::vector<LitColour<do
                              const std::vector<LitColour<ExactReal>> &exact)
 {
     const bool isFlat = part.appearance.shading == Shading::Flat;
-    ProjectionStage stage{isFlat ? QStringLiteral("Light at the face's centre")
-                                 : QStringLiteral("Light at the vertices"),
+    ProjectionStage stage{isFlat ? u"Light at the face's centre"_s : u"Light at the vertices"_s,
                           "c·(ambient + Σ light·max(0, N·L))/255 + Σ light·specular/255·(N·H)ˢ",
                           {}};
     writeLights(stage.points.emplace_back(StagePoint{lightsPointName(), {}, {}}), part.appearance,
@@ -158,11 +153,11 @@ ProjectionStage lightStageOf(const LitPart &part, const std::vector<LitColour<do
         if (!isFlat)
             return base + u'′';
         const QString sum = sumOverVertices(part.vertices, base);
-        return sum.isEmpty() ? sum : QStringLiteral("⌊(%1)/%2 + ½⌋").arg(sum).arg(part.vertices);
+        return sum.isEmpty() ? sum : u"⌊(%1)/%2 + ½⌋"_s.arg(sum).arg(part.vertices);
     };
     for (std::size_t i = 0; i < used.size(); ++i) {
         StagePoint &point = stage.points.emplace_back(
-            StagePoint{isFlat ? QStringLiteral("centre") : faceVertexName(i), {}, {}});
+            StagePoint{isFlat ? u"centre"_s : faceVertexName(i), {}, {}});
         if (isFlat) { // a vertex has them in the previous stage
             StageNumberWriter numbers(point.numbers);
             numbers.add(QString(), used[i].point.place, &exact[i].point.place, part.centrePlace);
@@ -198,11 +193,10 @@ std::vector<ProjectionStage> lightStagesOf(const Triangle &given,
     Triangle tintedTriangle = given;
     tint(tintedTriangle, material);
     const Component third = [](QChar axis) {
-        return QStringLiteral("1/3·%1 + 1/3·%2 + 1/3·%3")
-            .arg(ofVertex(0, axis), ofVertex(1, axis), ofVertex(2, axis));
+        return u"1/3·%1 + 1/3·%2 + 1/3·%3"_s.arg(ofVertex(0, axis), ofVertex(1, axis),
+                                                 ofVertex(2, axis));
     };
-    const Component sumOfNormals
-        = [](QChar axis) { return sumOverVertices(3, axis + QStringLiteral("_n")); };
+    const Component sumOfNormals = [](QChar axis) { return sumOverVertices(3, axis + u"_n"_s); };
     const LitPart part{appearance, material, 3, third, sumOfNormals};
     return {corners,
             lightStageOf(part, litColoursOf<double>(tintedTriangle, attributes, appearance.shading),

@@ -3,6 +3,8 @@
 
 namespace pixelplumb {
 
+using namespace Qt::StringLiterals;
+
 namespace {
 
 QString subscripted(QChar letter, std::size_t index)
@@ -19,11 +21,11 @@ QString faceVertexName(std::size_t vertex) { return subscripted(u'V', vertex); }
 
 QString clippedCornerName(std::size_t corner) { return subscripted(u'C', corner); }
 
-QString cameraPointName() { return QStringLiteral("the camera"); }
+QString cameraPointName() { return u"the camera"_s; }
 
-QString lightsPointName() { return QStringLiteral("the lights"); }
+QString lightsPointName() { return u"the lights"_s; }
 
-QString facePointName() { return QStringLiteral("the face"); }
+QString facePointName() { return u"the face"_s; }
 
 bool isShared(const QString &point)
 {

@@ -9,6 +9,8 @@
 
 namespace pixelplumb {
 
+using namespace Qt::StringLiterals;
+
 void writeCameraPoint(StagePoint &point, const SpaceScene &scene)
 {
     using std::acos;
@@ -34,7 +36,7 @@ void writeCameraPoint(StagePoint &point, const SpaceScene &scene)
     place("upward", camera.up);
     vector("back", usedCamera.backward(), exactCamera.backward(),
            unitOf(usedCamera.backward(),
-                  [](QChar axis) { return QStringLiteral("(E_%1 − target_%1)").arg(axis); }));
+                  [](QChar axis) { return u"(E_%1 − target_%1)"_s.arg(axis); }));
     vector("right", usedCamera.right(), exactCamera.right(),
            unitOf(usedCamera.right(), [&](QChar axis) {
                return u'(' + crossFormula(of("upward"), of("back"), axis) + u')';
@@ -58,12 +60,10 @@ void writeCameraPoint(StagePoint &point, const SpaceScene &scene)
     }
     const auto used = usedCamera.scale();
     const auto exact = exactCamera.scale();
-    numbers.add("scale_y", used.y, exact.y,
-                isPerspective ? QStringLiteral("cos φ/sin φ") : QStringLiteral("2/view_height"));
+    numbers.add("scale_y", used.y, exact.y, isPerspective ? u"cos φ/sin φ"_s : u"2/view_height"_s);
     numbers.add("scale_x", used.x, exact.x, "scale_y·height/width");
     numbers.add("scale_z", used.z, exact.z,
-                isPerspective ? QStringLiteral("far/(far − near)")
-                              : QStringLiteral("1/(far − near)"));
+                isPerspective ? u"far/(far − near)"_s : u"1/(far − near)"_s);
 }
 
 void writeCarried(StagePoint &point, const ClippedCorner<double> &corner,
@@ -73,9 +73,9 @@ void writeCarried(StagePoint &point, const ClippedCorner<double> &corner,
     const auto add = [&](QChar name, double used, const ExactReal *exactly) {
         const QString inside = clipName(QString(name), corner.inside);
         numbers.add(QString(name), used, exactly,
-                    corner.isCut() ? QStringLiteral("%1 + t·(%2 − %1)")
-                                         .arg(inside, clipName(QString(name), corner.outside))
-                                   : inside);
+                    corner.isCut()
+                        ? u"%1 + t·(%2 − %1)"_s.arg(inside, clipName(QString(name), corner.outside))
+                        : inside);
     };
     const ClipVertex<double> &vertex = corner.vertex;
     add(u'u', vertex.texture[0], exact ? &exact->vertex.texture[0] : nullptr);
@@ -103,11 +103,10 @@ void writeSnappedPoint(StagePoint &point, const SnappedCorner &corner,
                 "⌊16777216·z_device + ½⌋/16777216");
     // 2^24 times the scale of w.
     const int power = attributeFractionBits + wExponent;
-    const QString scaled = power < 0
-        ? QStringLiteral("w′/%1").arg(std::ldexp(1.0, -power), 0, 'f', 0)
-        : QStringLiteral("%1·w′").arg(std::ldexp(1.0, power), 0, 'f', 0);
+    const QString scaled = power < 0 ? u"w′/%1"_s.arg(std::ldexp(1.0, -power), 0, 'f', 0)
+                                     : u"%1·w′"_s.arg(std::ldexp(1.0, power), 0, 'f', 0);
     numbers.add("w", value(attributes.w), exact ? &exactW : nullptr,
-                attributes.w > 1 ? QStringLiteral("⌊%1 + ½⌋/16777216").arg(scaled) : QString());
+                attributes.w > 1 ? u"⌊%1 + ½⌋/16777216"_s.arg(scaled) : QString());
     numbers.add("u", value(attributes.texture[0]), exact ? &exact->vertex.texture[0] : nullptr,
                 "⌊16777216·u′ + ½⌋/16777216");
     numbers.add("v", value(attributes.texture[1]), exact ? &exact->vertex.texture[1] : nullptr,
@@ -115,7 +114,7 @@ void writeSnappedPoint(StagePoint &point, const SnappedCorner &corner,
     for (std::size_t channel = 0; channel < 3; ++channel) {
         numbers.add(QString(channelLetters[channel]), vertex.colour.channels[channel],
                     exact ? &exact->vertex.levels[channel] : nullptr,
-                    QStringLiteral("⌊%1′ + ½⌋").arg(channelLetters[channel]));
+                    u"⌊%1′ + ½⌋"_s.arg(channelLetters[channel]));
     }
     numbers.add("α", attributes.alpha, exact ? &exact->vertex.levels[3] : nullptr, "⌊α′ + ½⌋");
 }

@@ -9,6 +9,8 @@
 
 namespace pixelplumb {
 
+using namespace Qt::StringLiterals;
+
 namespace {
 
 /// The most that fit on a line.
@@ -20,12 +22,12 @@ constexpr std::size_t mostFanVertices = 4;
 Component unitOf(const SpaceVector<double> &unit, const Component &component)
 {
     if (unit.isZero())
-        return [](QChar) { return QStringLiteral("0"); };
+        return [](QChar) { return u"0"_s; };
     return [component](QChar axis) {
         QStringList squares;
         for (const QChar each : spaceAxes)
             squares.append(component(each) + u'²');
-        return component(axis) + QStringLiteral("/√(") + squares.join(QStringLiteral(" + ")) + u')';
+        return component(axis) + u"/√("_s + squares.join(u" + "_s) + u')';
     };
 }
 
@@ -34,7 +36,7 @@ QString crossFormula(const Component &a, const Component &b, QChar axis)
     const std::ptrdiff_t place = std::ranges::find(spaceAxes, axis) - spaceAxes.begin();
     const QChar next = spaceAxes[std::size_t(place + 1) % 3];
     const QChar last = spaceAxes[std::size_t(place + 2) % 3];
-    return QStringLiteral("%1·%2 − %3·%4").arg(a(next), b(last), a(last), b(next));
+    return u"%1·%2 − %3·%4"_s.arg(a(next), b(last), a(last), b(next));
 }
 
 QString sumOverVertices(std::size_t count, const QString &number)
@@ -44,14 +46,14 @@ QString sumOverVertices(std::size_t count, const QString &number)
     QStringList summands;
     for (std::size_t i = 0; i < count; ++i)
         summands.append(ofVertex(i, number));
-    return summands.join(QStringLiteral(" + "));
+    return summands.join(u" + "_s);
 }
 
 Component meanOverVertices(std::size_t count)
 {
     return [count](QChar axis) {
         const QString sum = sumOverVertices(count, axis);
-        return sum.isEmpty() ? sum : QStringLiteral("1/%1·(%2)").arg(count).arg(sum);
+        return sum.isEmpty() ? sum : u"1/%1·(%2)"_s.arg(count).arg(sum);
     };
 }
 
@@ -61,13 +63,13 @@ QString fanFormula(std::size_t count, QChar axis)
         return {};
     const auto side = [](std::size_t vertex) {
         return [vertex](QChar each) {
-            return QStringLiteral("(%1 − %2)").arg(ofVertex(vertex, each), ofVertex(0, each));
+            return u"(%1 − %2)"_s.arg(ofVertex(vertex, each), ofVertex(0, each));
         };
     };
     QStringList products;
     for (std::size_t i = 2; i < count; ++i)
         products.append(crossFormula(side(i - 1), side(i), axis));
-    return products.join(QStringLiteral(" + "));
+    return products.join(u" + "_s);
 }
 
 } // namespace pixelplumb

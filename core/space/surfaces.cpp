@@ -5,6 +5,8 @@
 
 namespace pixelplumb {
 
+using namespace Qt::StringLiterals;
+
 namespace {
 
 /// A Surface in one number type.
@@ -140,13 +142,13 @@ QString nameOf(SurfaceKind kind)
 {
     switch (kind) {
     case SurfaceKind::Line:
-        return QStringLiteral("line");
+        return u"line"_s;
     case SurfaceKind::Circle:
-        return QStringLiteral("circle");
+        return u"circle"_s;
     case SurfaceKind::Plane:
-        return QStringLiteral("plane");
+        return u"plane"_s;
     case SurfaceKind::Sphere:
-        return QStringLiteral("sphere");
+        return u"sphere"_s;
     }
     return {};
 }
@@ -162,7 +164,7 @@ std::vector<SurfaceForm> formsOf(const Surface &surface, double s, double t)
     SurfaceForm explicitly{"explicit", words.explicitly, words.explicitNote, {}};
     if (used.isExplicit() && exact.isExplicit()) {
         StageNumberWriter(explicitly.numbers)
-            .add(isCurve ? QStringLiteral("y") : QStringLiteral("z"), used.explicitly(usedPoint),
+            .add(isCurve ? u"y"_s : u"z"_s, used.explicitly(usedPoint),
                  exact.explicitly(exactPoint));
     }
     SurfaceForm parametric{"parametric", words.parametric, words.parametricNote, {}};

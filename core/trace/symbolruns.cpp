@@ -3,10 +3,12 @@
 
 namespace pixelplumb {
 
+using namespace Qt::StringLiterals;
+
 namespace {
 
 /// "²": it belongs to the whole symbol, not to a subscript before it.
-bool isExponent(QChar character) { return QStringLiteral("⁰¹²³⁴⁵⁶⁷⁸⁹").contains(character); }
+bool isExponent(QChar character) { return u"⁰¹²³⁴⁵⁶⁷⁸⁹"_s.contains(character); }
 
 } // namespace
 

@@ -1317,8 +1317,8 @@
         <translation>Exakt</translation>
     </message>
     <message>
-        <source>Show the exact number beside each</source>
-        <translation>Die exakte Zahl neben jeder zeigen</translation>
+        <source>Show beside each what the same run gives in exact numbers</source>
+        <translation>Neben jeder zeigen, was derselbe Lauf in exakten Zahlen ergibt</translation>
     </message>
     <message>
         <source>Error</source>

@@ -9,6 +9,8 @@
 /// written only to be recognisable and shares nothing with the kernels.
 namespace pixelplumb::bench {
 
+using namespace Qt::StringLiterals;
+
 namespace {
 
 struct StudentVertex {
@@ -157,8 +159,8 @@ private:
 void addAssignment(Lineup &lineup)
 {
     ContenderInfo info;
-    info.id = QStringLiteral("assignment");
-    info.name = QStringLiteral("the assignment, QImage::setPixel, float32");
+    info.id = u"assignment"_s;
+    info.name = u"the assignment, QImage::setPixel, float32"_s;
     info.role = Role::Student;
     lineup.contenders.push_back(std::make_unique<Assignment>(info));
 }

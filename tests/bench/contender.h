@@ -8,6 +8,8 @@
 
 namespace pixelplumb::bench {
 
+using namespace Qt::StringLiterals;
+
 enum class Role {
     Ours,
     Straight, ///< the yardstick of a plain kernel: its arithmetic as one loop
@@ -23,7 +25,7 @@ enum class Shading {
 
 /// A plain kernel: the one the window steps through, without a listener.
 struct PlainKernel {
-    QString method = QStringLiteral("column-scan");
+    QString method = u"column-scan"_s;
     ScanSettings settings;
 };
 

@@ -42,9 +42,8 @@ void drawMirrored(Contender &peer, const TieRule &rule, const Primitives &primit
 LabContender labPeer(Contender &peer, const TieRule &rule)
 {
     LabContender contender;
-    contender.id = QStringLiteral("peer:") + peer.info().id;
-    contender.label
-        = peer.info().name + QStringLiteral(", ties by ") + QString::fromUtf8(rule.name);
+    contender.id = u"peer:"_s + peer.info().id;
+    contender.label = peer.info().name + u", ties by "_s + QString::fromUtf8(rule.name);
     contender.method = methodNamed(u"column-scan");
     contender.kernel = LabKernel::Peer;
     contender.ownRule = rule.rule;
@@ -77,25 +76,24 @@ QByteArray studyWithPeers(const Lineup &lineup, Extent extent,
     if (auto cases = builtInHardCases())
         settings.hardCases = std::move(*cases);
     const std::vector<Workload> workloads = standardWorkloads(Extent::Quick);
-    const auto small = std::ranges::find(workloads, QStringLiteral("W3"), &Workload::id);
+    const auto small = std::ranges::find(workloads, u"W3"_s, &Workload::id);
     PictureCheck check(*small, Extent::Quick);
     for (const std::unique_ptr<Contender> &peer : lineup.contenders) {
         if (!takesPart(peer->info()))
             continue;
-        progress(QStringLiteral("looking at %1").arg(peer->info().name));
+        progress(u"looking at %1"_s.arg(peer->info().name));
         settings.peers.push_back(labPeer(*peer, check.check(*peer).rule));
     }
     StudyListener listener;
     listener.progress = [&](const JobProgress &told) {
         const double share = told.total == 0 ? 0 : double(told.done) / double(told.total);
-        progress(
-            QStringLiteral("%1: %2 %").arg(nameText(nameOf(told.phase))).arg(int(100 * share)));
+        progress(u"%1: %2 %"_s.arg(nameText(nameOf(told.phase))).arg(int(100 * share)));
         return true;
     };
     Study study = runStudy(settings, listener);
-    study.command = QStringLiteral("tests/bench/run --lab lab.json");
+    study.command = u"tests/bench/run --lab lab.json"_s;
     if (isQuick)
-        study.command += QStringLiteral(" --quick");
+        study.command += u" --quick"_s;
     return writeStudy(study);
 }
 

@@ -3,6 +3,8 @@
 
 namespace pixelplumb::bench {
 
+using namespace Qt::StringLiterals;
+
 namespace {
 
 // Unused if every library was found.
@@ -10,7 +12,7 @@ namespace {
 {
     lineup.absent.push_back(
         {QString::fromLatin1(name),
-         QStringLiteral("%1 was not found when this was configured").arg(QLatin1String(package))});
+         u"%1 was not found when this was configured"_s.arg(QLatin1String(package))});
 }
 
 } // namespace

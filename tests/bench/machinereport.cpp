@@ -7,12 +7,14 @@
 
 namespace pixelplumb::bench {
 
+using namespace Qt::StringLiterals;
+
 namespace {
 
 /// The value of a line "key: 12 kB" in the system's status of this process.
 std::int64_t bytesOf(const QByteArray &key)
 {
-    QFile file(QStringLiteral("/proc/self/status"));
+    QFile file(u"/proc/self/status"_s);
     if (!file.open(QIODevice::ReadOnly))
         return 0;
     const QList<QByteArray> lines = file.readAll().split('\n');
@@ -28,18 +30,16 @@ std::int64_t bytesOf(const QByteArray &key)
 QString markdown(const MachineConditions &machine)
 {
     QStringList lines;
-    lines << QStringLiteral("- %1, %2 processors, %3")
-                 .arg(machine.processor)
+    lines << u"- %1, %2 processors, %3"_s.arg(machine.processor)
                  .arg(machine.processors)
-                 .arg(machine.caches.join(QStringLiteral(", ")));
-    lines << QStringLiteral("- governor %1, load average %2 before this began")
-                 .arg(machine.governor.isEmpty() ? QStringLiteral("not told by the system")
-                                                 : machine.governor)
+                 .arg(machine.caches.join(u", "_s));
+    lines << u"- governor %1, load average %2 before this began"_s
+                 .arg(machine.governor.isEmpty() ? u"not told by the system"_s : machine.governor)
                  .arg(machine.load, 0, 'f', 2);
-    lines << QStringLiteral("- %1, %2 %3, %4")
-                 .arg(machine.system, machine.compiler, machine.flags, machine.buildType);
+    lines << u"- %1, %2 %3, %4"_s.arg(machine.system, machine.compiler, machine.flags,
+                                      machine.buildType);
     for (const QString &warning : warningsOf(machine))
-        lines << QStringLiteral("- **%1**").arg(warning);
+        lines << u"- **%1**"_s.arg(warning);
     return lines.join(QLatin1Char('\n')) + QLatin1Char('\n');
 }
 
@@ -50,7 +50,7 @@ std::int64_t installedMemory()
 
 bool resetPeakMemory()
 {
-    QFile file(QStringLiteral("/proc/self/clear_refs"));
+    QFile file(u"/proc/self/clear_refs"_s);
     return file.open(QIODevice::WriteOnly | QIODevice::Unbuffered) && file.write("5") == 1;
 }
 

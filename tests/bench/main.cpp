@@ -13,6 +13,7 @@
 #include <cstdio>
 
 using namespace pixelplumb::bench;
+using namespace Qt::StringLiterals;
 
 namespace {
 
@@ -55,27 +56,23 @@ Options parse(const QCoreApplication &application)
 {
     QCommandLineParser parser;
     parser.setApplicationDescription(
-        QStringLiteral("Times triangles drawn by our kernels, by other renderers, and by memset."));
-    const QCommandLineOption quick(QStringLiteral("quick"),
-                                   QStringLiteral("Short workloads, 3 rounds."));
+        u"Times triangles drawn by our kernels, by other renderers, and by memset."_s);
+    const QCommandLineOption quick(u"quick"_s, u"Short workloads, 3 rounds."_s);
     const QCommandLineOption filter(
-        QStringLiteral("filter"),
-        QStringLiteral("Only what <expression> matches in WORKLOAD/CONTENDER, such as W4/sdl2. "
-                       "The reference and memset always run."),
-        QStringLiteral("expression"));
-    const QCommandLineOption rounds(QStringLiteral("rounds"),
-                                    QStringLiteral("Samples of everyone (11; 3 when quick)."),
-                                    QStringLiteral("count"));
+        u"filter"_s,
+        u"Only what <expression> matches in WORKLOAD/CONTENDER, such as W4/sdl2. "
+        "The reference and memset always run."_s,
+        u"expression"_s);
+    const QCommandLineOption rounds(u"rounds"_s, u"Samples of everyone (11; 3 when quick)."_s,
+                                    u"count"_s);
     const QCommandLineOption scaling(
-        QStringLiteral("scaling"),
-        QStringLiteral("Our kernels over growing numbers of triangles and growing frames."));
-    const QCommandLineOption list(QStringLiteral("list"),
-                                  QStringLiteral("Name workloads and contenders."));
+        u"scaling"_s, u"Our kernels over growing numbers of triangles and growing frames."_s);
+    const QCommandLineOption list(u"list"_s, u"Name workloads and contenders."_s);
     const QCommandLineOption labFile(
-        QStringLiteral("lab"),
-        QStringLiteral("The lab's study with the other renderers among its contenders, written to "
-                       "<file>, which the lab opens; its --quick or --full."),
-        QStringLiteral("file"));
+        u"lab"_s,
+        u"The lab's study with the other renderers among its contenders, written to "
+        "<file>, which the lab opens; its --quick or --full."_s,
+        u"file"_s);
     parser.addOptions({quick, filter, rounds, scaling, list, labFile});
     parser.addHelpOption();
     parser.process(application);
@@ -88,18 +85,16 @@ Options parse(const QCoreApplication &application)
     options.list = parser.isSet(list);
     options.labFile = parser.value(labFile);
     if (!options.filter.isValid()) {
-        refuse(QStringLiteral("--filter %1: %2")
-                   .arg(options.filter.pattern(), options.filter.errorString()));
+        refuse(u"--filter %1: %2"_s.arg(options.filter.pattern(), options.filter.errorString()));
     }
     if (parser.isSet(rounds)) {
         options.rounds = parser.value(rounds).toInt();
         if (options.rounds < 1) {
-            refuse(QStringLiteral("--rounds %1: expected a whole number from 1")
-                       .arg(parser.value(rounds)));
+            refuse(u"--rounds %1: expected a whole number from 1"_s.arg(parser.value(rounds)));
         }
     }
     if (!parser.positionalArguments().isEmpty())
-        refuse(QStringLiteral("unexpected argument %1").arg(parser.positionalArguments().first()));
+        refuse(u"unexpected argument %1"_s.arg(parser.positionalArguments().first()));
     return options;
 }
 
@@ -129,7 +124,7 @@ std::vector<std::optional<PictureDifference>> lookAtPictures(
     PictureCheck check(workload, extent);
     std::vector<std::optional<PictureDifference>> differences;
     for (Contender *contender : contenders) {
-        showProgress(QStringLiteral("%1: looking at %2").arg(workload.id, contender->info().name));
+        showProgress(u"%1: looking at %2"_s.arg(workload.id, contender->info().name));
         differences.emplace_back();
         if (contender->hasPicture())
             differences.back() = check.check(*contender);
@@ -156,7 +151,7 @@ WorkloadReport reportOn(const Workload &workload, const std::vector<Contender *>
         const ContenderInfo &info = contenders[i]->info();
         std::optional<double> differsFromPlain;
         if (info.sameAsPlain) {
-            showProgress(QStringLiteral("%1: looking at all of %2").arg(workload.id, info.name));
+            showProgress(u"%1: looking at all of %2"_s.arg(workload.id, info.name));
             const Scene scene = forms.scene(info.shading, results[i].triangles);
             differsFromPlain
                 = differingShare(contenders[i]->picture(), plainPicture(scene, *info.sameAsPlain));
@@ -170,7 +165,7 @@ void write(const QByteArray &content, const QString &name)
 {
     QSaveFile file(name);
     if (!file.open(QIODevice::WriteOnly) || file.write(content) != content.size() || !file.commit())
-        refuse(QStringLiteral("%1 cannot be written: %2").arg(name, file.errorString()));
+        refuse(u"%1 cannot be written: %2"_s.arg(name, file.errorString()));
 }
 
 void print(const QString &text)
@@ -227,8 +222,8 @@ int measureWorkloads(const Lineup &lineup, const Options &options)
             report.workloads.push_back(reportOn(workload, contenders, options));
     }
     if (report.workloads.empty())
-        refuse(QStringLiteral("--filter %1 matches nothing; --list names what there is")
-                   .arg(options.filter.pattern()));
+        refuse(u"--filter %1 matches nothing; --list names what there is"_s.arg(
+            options.filter.pattern()));
     report.loadAtEnd = pixelplumb::loadNow();
     print(markdown(report));
     return report.brokenPromises().isEmpty() ? Done : WrongPicture;

@@ -8,21 +8,23 @@
 
 namespace pixelplumb::bench {
 
+using namespace Qt::StringLiterals;
+
 namespace {
 
-const QString memsetId = QStringLiteral("memset");
-const QString none = QStringLiteral("–");
+const QString memsetId = u"memset"_s;
+const QString none = u"–"_s;
 
 QString middleHalf(const Spread &spread)
 {
-    return QStringLiteral("%1 … %2").arg(numberText(spread.lower), numberText(spread.upper));
+    return u"%1 … %2"_s.arg(numberText(spread.lower), numberText(spread.upper));
 }
 
 QString percent(double share)
 {
     if (share == 0)
-        return QStringLiteral("0");
-    return QStringLiteral("%1 %").arg(numberText(share * 100));
+        return u"0"_s;
+    return u"%1 %"_s.arg(numberText(share * 100));
 }
 
 QString ratioCell(const ReportRow &row, const ReportRow *unit)
@@ -34,8 +36,7 @@ QString nameOf(const ReportRow &row)
 {
     const ContenderInfo &info = row.result.contender->info();
     const bool said = info.name.contains(QLatin1String("flat"));
-    return info.shading == Shading::Flat && !said ? info.name + QStringLiteral(", flat")
-                                                  : info.name;
+    return info.shading == Shading::Flat && !said ? info.name + u", flat"_s : info.name;
 }
 
 /// Whether a picture clearly differs from the truth; the overview marks it.
@@ -127,14 +128,13 @@ void writeOverview(QTextStream &out, const Report &report)
         for (const WorkloadReport &workload : report.workloads) {
             const ReportRow *row = workload.row(id);
             if (row == nullptr) {
-                cells += QStringLiteral(" %1 |").arg(none);
+                cells += u" %1 |"_s.arg(none);
                 continue;
             }
             name = nameOf(*row);
-            cells += QStringLiteral(" %1 (%2)%3 |")
-                         .arg(numberText(row->result.time().median),
-                              ratioCell(*row, workload.row(report.referenceId)),
-                              isPoor(*row) ? QStringLiteral(" !") : QString());
+            cells += u" %1 (%2)%3 |"_s.arg(numberText(row->result.time().median),
+                                           ratioCell(*row, workload.row(report.referenceId)),
+                                           isPoor(*row) ? u" !"_s : QString());
         }
         out << "| " << name << " |" << cells << "\n";
     }
@@ -153,8 +153,8 @@ void writeTwins(QTextStream &out, const Report &report)
             if (twin == nullptr)
                 continue;
             const Spread times = ratio(row.result, twin->result);
-            lines << QStringLiteral("| %1 | %2 | %3 | %4 |")
-                         .arg(workload.id, info.name, numberText(times.median), middleHalf(times));
+            lines << u"| %1 | %2 | %3 | %4 |"_s.arg(workload.id, info.name,
+                                                    numberText(times.median), middleHalf(times));
         }
     }
     if (lines.isEmpty())
@@ -186,8 +186,7 @@ void writeRow(QTextStream &out, const WorkloadReport &workload, const ReportRow 
     } else {
         out << none << " | " << none << " | " << none << " | " << none << " | ";
     }
-    out << (result.triangles < workload.triangles ? numberText(double(result.triangles))
-                                                  : QStringLiteral("all"))
+    out << (result.triangles < workload.triangles ? numberText(double(result.triangles)) : u"all"_s)
         << " |\n";
 }
 

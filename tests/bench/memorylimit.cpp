@@ -7,6 +7,8 @@
 
 namespace pixelplumb::bench {
 
+using namespace Qt::StringLiterals;
+
 namespace {
 
 /// The cost of storing without computing: memset over as many pixels as the triangles cover, from
@@ -46,8 +48,8 @@ private:
 void addMemoryLimit(Lineup &lineup)
 {
     ContenderInfo info;
-    info.id = QStringLiteral("memset");
-    info.name = QStringLiteral("memset of as many pixels");
+    info.id = u"memset"_s;
+    info.name = u"memset of as many pixels"_s;
     info.role = Role::Limit;
     lineup.contenders.push_back(std::make_unique<MemoryLimit>(info));
 }

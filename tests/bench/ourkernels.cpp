@@ -120,13 +120,13 @@ ContenderInfo infoOf(const StraightLoop &loop, Role role)
     const QString what
         = QString::fromLatin1(loop.method) + QLatin1Char('-') + textOf(nameOf(loop.arithmetic));
     ContenderInfo info;
-    info.id = (isPlain ? QStringLiteral("plain-") : QStringLiteral("straight-")) + what;
-    info.name = (isPlain ? QStringLiteral("ours, plain kernel, %1, %2, closed")
-                         : QStringLiteral("straight loop, %1, %2, closed"))
-                    .arg(QLatin1String(loop.method), textOf(nameOf(loop.arithmetic)));
+    info.id = (isPlain ? u"plain-"_s : u"straight-"_s) + what;
+    info.name
+        = (isPlain ? u"ours, plain kernel, %1, %2, closed"_s : u"straight loop, %1, %2, closed"_s)
+              .arg(QLatin1String(loop.method), textOf(nameOf(loop.arithmetic)));
     info.role = role;
     if (isPlain)
-        info.twinId = QStringLiteral("straight-") + what;
+        info.twinId = u"straight-"_s + what;
     info.sameAsPlain = {QString::fromLatin1(loop.method),
                         {loop.arithmetic, FillRule::Closed, ByteRounding::Nearest}};
     return info;
@@ -143,11 +143,11 @@ struct Variant {
 /// fast-avx2, fast-avx2-flat, fast-avx2-2-threads, fast-avx2-closed, fast-avx2-float32-closed
 QString idOf(const Variant &variant)
 {
-    QString id = QStringLiteral("fast-") + textOf(nameOf(variant.instructionSet));
+    QString id = u"fast-"_s + textOf(nameOf(variant.instructionSet));
     if (variant.shading == Shading::Flat)
-        id += QStringLiteral("-flat");
+        id += u"-flat"_s;
     if (variant.threads != 1)
-        id += QStringLiteral("-%1-threads").arg(variant.threads);
+        id += u"-%1-threads"_s.arg(variant.threads);
     if (variant.settings.arithmetic != Arithmetic::Exact)
         id += QLatin1Char('-') + textOf(nameOf(variant.settings.arithmetic));
     if (variant.settings.fillRule != FillRule::HalfOpenColumn)
@@ -159,13 +159,13 @@ void add(Lineup &lineup, const Variant &variant)
 {
     ContenderInfo info;
     info.id = idOf(variant);
-    QStringList parts = {QStringLiteral("ours, fast"), textOf(nameOf(variant.instructionSet)),
+    QStringList parts = {u"ours, fast"_s, textOf(nameOf(variant.instructionSet)),
                          textOf(nameOf(variant.settings.arithmetic))};
     if (variant.settings.fillRule != FillRule::HalfOpenColumn)
         parts << textOf(nameOf(variant.settings.fillRule));
     if (variant.threads != 1)
-        parts << QStringLiteral("%1 threads").arg(variant.threads);
-    info.name = parts.join(QStringLiteral(", "));
+        parts << u"%1 threads"_s.arg(variant.threads);
+    info.name = parts.join(u", "_s);
     info.role = Role::Ours;
     info.shading = variant.shading;
     info.threads = variant.threads;
@@ -191,8 +191,8 @@ Picture plainPicture(const Scene &scene, const PlainKernel &kernel)
 void addPlain(Lineup &lineup)
 {
     ContenderInfo halfOpen;
-    halfOpen.id = QStringLiteral("plain-half-open");
-    halfOpen.name = QStringLiteral("ours, plain kernel, exact");
+    halfOpen.id = u"plain-half-open"_s;
+    halfOpen.name = u"ours, plain kernel, exact"_s;
     halfOpen.role = Role::Ours;
     halfOpen.sameAsPlain.emplace().settings
         = {Arithmetic::Exact, FillRule::HalfOpenColumn, ByteRounding::Nearest};

@@ -7,6 +7,8 @@
 
 namespace pixelplumb::bench {
 
+using namespace Qt::StringLiterals;
+
 namespace {
 
 /// ns. Refilling the caches takes 1 or 2 ms: less than the noise of a draw of this length.
@@ -94,15 +96,12 @@ std::vector<Result> race(const Workload &workload, Forms &forms,
 {
     std::vector<Result> results;
     for (Contender *contender : contenders) {
-        progress(QStringLiteral("%1: warming up %2").arg(workload.id, contender->info().name));
+        progress(u"%1: warming up %2"_s.arg(workload.id, contender->info().name));
         results.emplace_back().contender = contender;
         calibrate(results.back(), workload.triangles.size(), forms, options);
     }
     for (int round = 0; round < options.rounds; ++round) {
-        progress(QStringLiteral("%1: round %2 of %3")
-                     .arg(workload.id)
-                     .arg(round + 1)
-                     .arg(options.rounds));
+        progress(u"%1: round %2 of %3"_s.arg(workload.id).arg(round + 1).arg(options.rounds));
         // Each round starts with another contender, so that none always follows the same
         // neighbour's load.
         for (std::size_t turn = 0; turn < results.size(); ++turn)

@@ -3,6 +3,8 @@
 
 namespace pixelplumb::bench {
 
+using namespace Qt::StringLiterals;
+
 const ReportRow *WorkloadReport::row(const QString &contenderId) const
 {
     for (const ReportRow &row : rows) {
@@ -21,9 +23,8 @@ QStringList Report::brokenPromises() const
             const auto add = [&](double share, const char *truth) {
                 if (share == 0)
                     return;
-                broken << QStringLiteral("%1: %2 promises the true picture; %3 % of its pixels are "
-                                         "not the %4's.")
-                              .arg(workload.id, info.name)
+                broken << u"%1: %2 promises the true picture; %3 % of its pixels are "
+                          "not the %4's."_s.arg(workload.id, info.name)
                               .arg(share * 100, 0, 'g', 3)
                               .arg(QLatin1String(truth));
             };

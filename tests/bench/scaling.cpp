@@ -7,6 +7,8 @@
 
 namespace pixelplumb::bench {
 
+using namespace Qt::StringLiterals;
+
 namespace {
 
 /// The memory of a single draw by the reference, beyond what was in use before.
@@ -25,10 +27,7 @@ std::optional<double> workingBytesOf(const std::vector<Result> &results, const Q
     return std::nullopt;
 }
 
-QString frameText(FrameSize size)
-{
-    return QStringLiteral("%1 x %2").arg(size.width).arg(size.height);
-}
+QString frameText(FrameSize size) { return u"%1 x %2"_s.arg(size.width).arg(size.height); }
 
 } // namespace
 
@@ -53,14 +52,12 @@ ScalingResult measureScaling(const ScalingPoint &point, const std::vector<Conten
     const double needed = frameBytes * double(contenders.size())
         + 2.0 * double(sizeof(Triangle)) * double(point.triangles);
     if (needed > 0.6 * double(installedMemory())) {
-        scaling.skipped = QStringLiteral("needs %1 GiB of memory, of %2")
-                              .arg(needed / 0x1p30, 0, 'f', 1)
+        scaling.skipped = u"needs %1 GiB of memory, of %2"_s.arg(needed / 0x1p30, 0, 'f', 1)
                               .arg(double(installedMemory()) / 0x1p30, 0, 'f', 1);
         return scaling;
     }
     Workload workload;
-    workload.id
-        = QStringLiteral("%1 triangles, %2").arg(point.triangles).arg(frameText(point.size));
+    workload.id = u"%1 triangles, %2"_s.arg(point.triangles).arg(frameText(point.size));
     workload.size = point.size;
     workload.triangles = scatteredTriangles(point.size, point.triangles, point.area, 10);
     scaling.pixelsPerTriangle
@@ -85,16 +82,15 @@ QString markdown(const MachineConditions &machine, const std::vector<ScalingResu
            "| frame | triangles | px/triangle | renderer | ns/triangle | quartiles | ns/px | own "
            "bytes/triangle |\n|---|--:|--:|---|--:|--:|--:|--:|\n";
     for (const ScalingResult &scaling : series) {
-        const QString start
-            = QStringLiteral("| %1 | %2 | ")
-                  .arg(frameText(scaling.point.size), numberText(double(scaling.point.triangles)));
+        const QString start = u"| %1 | %2 | "_s.arg(frameText(scaling.point.size),
+                                                    numberText(double(scaling.point.triangles)));
         if (!scaling.skipped.isEmpty())
             out << start << "– | " << scaling.skipped << " | – | – | – | – |\n";
         for (std::size_t i = 0; i < scaling.results.size(); ++i) {
             const Result &result = scaling.results[i];
             const Spread time = result.time();
-            const QString bytes = i == 0 && scaling.workingBytes ? numberText(*scaling.workingBytes)
-                                                                 : QStringLiteral("–");
+            const QString bytes
+                = i == 0 && scaling.workingBytes ? numberText(*scaling.workingBytes) : u"–"_s;
             out << start << numberText(scaling.pixelsPerTriangle) << " | "
                 << result.contender->info().name << " | " << numberText(time.median) << " | "
                 << numberText(time.lower) << " … " << numberText(time.upper) << " | "

@@ -15,18 +15,19 @@ namespace pixelplumb::shortfalls {
 namespace {
 
 /// The key of the record's first member, which is not a case file.
-const QString aboutKey = QStringLiteral("about");
-const QString aboutText = QStringLiteral(
-    "By case and shortfall: every method, arithmetic and fill rule that is not claimed stable and "
-    "falls short; counts are pixels, summed over triangles, frames or places. tests_project "
-    "shortfalls writes this file.");
+const QString aboutKey = u"about"_s;
+const QString aboutText
+    = u"By case and shortfall: every method, arithmetic and fill rule that is not claimed stable "
+      u"and "
+      "falls short; counts are pixels, summed over triangles, frames or places. tests_project "
+      "shortfalls writes this file."_s;
 
 QString countsText(const Counts &shortfall)
 {
     QStringList counts;
     const auto add = [&](std::int64_t count, const char *what) {
         if (count != 0)
-            counts.append(QStringLiteral("%1 %2").arg(count).arg(QLatin1String(what)));
+            counts.append(u"%1 %2"_s.arg(count).arg(QLatin1String(what)));
     };
     add(shortfall.missing, "missing");
     add(shortfall.extra, "extra");
@@ -36,7 +37,7 @@ QString countsText(const Counts &shortfall)
     add(std::max<std::int64_t>(0, shortfall.extraToggles), "toggles too many");
     add(std::max<std::int64_t>(0, -shortfall.extraToggles), "toggles too few");
     add(shortfall.extraPictures, "pictures too many");
-    return counts.join(QStringLiteral(", "));
+    return counts.join(u", "_s);
 }
 
 /// What the facts of a case of lines or other shapes say first: how many pixels differ. For a line,
@@ -56,7 +57,7 @@ QString shapeText(const HardCase &hardCase, const Contender &contender)
         if (reverse != verdict.remarks.end())
             texts.append(*reverse);
     }
-    return texts.join(QStringLiteral(", "));
+    return texts.join(u", "_s);
 }
 
 bool draws(const Method &method, const HardCase &hardCase)
@@ -233,7 +234,7 @@ QStringList linesOf(const FileRecord &file)
     for (const auto &[id, shortfalls] : file) {
         for (const auto &[what, contenders] : shortfalls) {
             for (const QString &contender : contenders)
-                lines.append(id + QStringLiteral(": ") + contender + QStringLiteral(": ") + what);
+                lines.append(id + u": "_s + contender + u": "_s + what);
         }
     }
     lines.sort();

@@ -15,7 +15,7 @@ namespace tst_shortfalls {
 
 using namespace pixelplumb;
 
-const QString recordFile = QStringLiteral("expected_shortfalls.json");
+const QString recordFile = u"expected_shortfalls.json"_s;
 
 /// Every hard case by every method, in every arithmetic and under every rule: the exact column scan
 /// is right, and the errors of the forms that are not claimed stable are exactly those recorded.
@@ -37,8 +37,7 @@ private slots:
             const CaseReport report = checkCase(hardCase, contenders);
             for (const ContenderVerdict &verdict : report.verdicts) {
                 if (verdict.outcome == CaseOutcome::FellShort)
-                    errors.append(hardCase.id + QStringLiteral(": ")
-                                  + verdict.remarks.join(QStringLiteral("; ")));
+                    errors.append(hardCase.id + u": "_s + verdict.remarks.join(u"; "_s));
             }
         }
         QVERIFY2(errors.isEmpty(), qPrintable(errors.join(u'\n')));
@@ -63,15 +62,13 @@ private slots:
         }
         QStringList changes;
         std::ranges::set_difference(found, recorded, std::back_inserter(changes));
-        changes.replaceInStrings(QRegularExpression(QStringLiteral("^")), QStringLiteral("+ "));
+        changes.replaceInStrings(QRegularExpression(u"^"_s), u"+ "_s);
         QStringList gone;
         std::ranges::set_difference(recorded, found, std::back_inserter(gone));
-        changes
-            += gone.replaceInStrings(QRegularExpression(QStringLiteral("^")), QStringLiteral("- "));
+        changes += gone.replaceInStrings(QRegularExpression(u"^"_s), u"- "_s);
         QVERIFY2(changes.isEmpty(),
-                 qPrintable(QStringLiteral("%1 changes; PIXELPLUMB_RECORD=1 writes the record "
-                                           "anew:\n%2")
-                                .arg(changes.size())
+                 qPrintable(u"%1 changes; PIXELPLUMB_RECORD=1 writes the record "
+                            "anew:\n%2"_s.arg(changes.size())
                                 .arg(changes.mid(0, 20).join(u'\n'))));
         QVERIFY(!found.isEmpty());
     }
@@ -87,14 +84,14 @@ private slots:
         }
         // Found when the lower edge was chosen once per triangle. Chosen in each column, as the
         // assignment says, its tip is painted in every arithmetic. It stays to guard against that.
-        QCOMPARE(easy, QStringList(QStringLiteral("tie_fixed16_16")));
+        QCOMPARE(easy, QStringList(u"tie_fixed16_16"_s));
     }
 
     void measuresTheKnownFiguresOfTieTenths()
     {
         // The figures of tie_tenths: float64 loses more than float32.
         const std::vector<HardCase> cases = casesOf(testData("hard_cases.json"));
-        const HardCase &tenths = caseNamed(cases, QStringLiteral("tie_tenths"));
+        const HardCase &tenths = caseNamed(cases, u"tie_tenths"_s);
         const auto missingIn = [&](Arithmetic arithmetic) {
             const ScanSettings settings = {arithmetic, FillRule::Closed, ByteRounding::Nearest};
             const auto pictures = [&](const Drawing &drawing) {

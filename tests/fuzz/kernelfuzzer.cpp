@@ -40,7 +40,7 @@ private:
 /// write it.
 std::optional<Lattice> coordinateRead(std::int64_t units)
 {
-    const Result<SnappedNumber> read = parseCoordinate(QStringLiteral("%1/256").arg(units));
+    const Result<SnappedNumber> read = parseCoordinate(u"%1/256"_s.arg(units));
     const bool fits = units >= -largestCoordinate && units <= largestCoordinate;
     if (read.isOk() != fits || (fits && read->units != units))
         std::abort();

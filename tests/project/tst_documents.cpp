@@ -19,10 +19,10 @@ namespace {
 /// Sources, scripts and documents of the tree, relative to it.
 QStringList filesOfTheTree()
 {
-    QStringList paths = {QStringLiteral("README.md")};
+    QStringList paths = {u"README.md"_s};
     for (const char *folder : {"app", "core", "resources", "tests", "widgets"}) {
         for (const QString &path : filesBelow(QString::fromLatin1(folder), {})) {
-            static const QRegularExpression kinds(QStringLiteral("^(h|cpp|md|py|sh|txt|1|)$"));
+            static const QRegularExpression kinds(u"^(h|cpp|md|py|sh|txt|1|)$"_s);
             if (kinds.match(QFileInfo(path).suffix()).hasMatch())
                 paths.append(path);
         }
@@ -31,18 +31,14 @@ QStringList filesOfTheTree()
 }
 
 /// Whether a test of this name, tst_columnscan, is one of the sources.
-bool hasTest(const QString &name)
-{
-    return filesBelow(QStringLiteral("tests"), {name + ".cpp"}).size() == 1;
-}
+bool hasTest(const QString &name) { return filesBelow(u"tests"_s, {name + ".cpp"}).size() == 1; }
 
 /// The text as a person reads it: comments and adjacent literals joined across line breaks.
 QString runningText(const QString &path)
 {
     QString text = textInTree(path);
-    text.replace(QRegularExpression(QStringLiteral("\"\\s*\\n\\s*\"")), QString());
-    text.replace(QRegularExpression(QStringLiteral("\\s*\\n\\s*(///?<?|[*-])?\\s*")),
-                 QStringLiteral(" "));
+    text.replace(QRegularExpression(u"\"\\s*\\n\\s*\""_s), QString());
+    text.replace(QRegularExpression(u"\\s*\\n\\s*(///?<?|[*-])?\\s*"_s), u" "_s);
     return text;
 }
 
@@ -59,7 +55,7 @@ QStringList captures(const QString &pattern, const QString &text)
 QMap<QString, QString> sectionsOfTheSources()
 {
     QMap<QString, QString> sections;
-    for (const QString &section : textInTree("resources/sources.md").split(QStringLiteral("\n## ")))
+    for (const QString &section : textInTree("resources/sources.md").split(u"\n## "_s))
         sections.insert(section.section(u'\n', 0, 0), section.section(u'\n', 1));
     return sections;
 }
@@ -67,9 +63,9 @@ QMap<QString, QString> sectionsOfTheSources()
 /// A slide's title without quotation marks and without "(2/4)".
 QStringList titlesIn(const QString &text)
 {
-    QStringList titles = captures(QStringLiteral("[\"“]([^\"“”]+)[\"”]"), text);
+    QStringList titles = captures(u"[\"“]([^\"“”]+)[\"”]"_s, text);
     for (QString &title : titles)
-        title.remove(QRegularExpression(QStringLiteral(" ?\\(\\d/\\d\\)$")));
+        title.remove(QRegularExpression(u" ?\\(\\d/\\d\\)$"_s));
     titles.removeAll(QString());
     return titles;
 }
@@ -84,27 +80,26 @@ private slots:
     void everyCitedCourseTextAndSlideStandsInTheSources()
     {
         const QMap<QString, QString> sections = sectionsOfTheSources();
-        const QString titles = QStringLiteral("(?:,? (?:and |to )?[\"“][^\"“”]+[\"”])*");
-        const QRegularExpression citation(
-            QStringLiteral("((?:[A-Z]\\w+ )+slides|[A-Z]\\w+ \\(Borst\\))(") + titles + u')');
+        const QString titles = u"(?:,? (?:and |to )?[\"“][^\"“”]+[\"”])*"_s;
+        const QRegularExpression citation(u"((?:[A-Z]\\w+ )+slides|[A-Z]\\w+ \\(Borst\\))("_s
+                                          + titles + u')');
         int cited = 0;
         for (const QString &path : filesOfTheTree()) {
             const QString text = runningText(path);
             for (auto match = citation.globalMatch(text); match.hasNext();) {
                 const QRegularExpressionMatch found = match.next();
                 QString name = found.captured(1);
-                name.remove(QRegularExpression(QStringLiteral("^The ")));
+                name.remove(QRegularExpression(u"^The "_s));
                 if (name == QLatin1String("slides"))
                     continue;
-                const QString where = path + QStringLiteral(": ") + found.captured();
+                const QString where = path + u": "_s + found.captured();
                 QVERIFY2(sections.contains(name), qPrintable(where));
                 const QStringList known = titlesIn(sections[name]);
                 for (const QString &title : titlesIn(found.captured(2)))
                     QVERIFY2(known.contains(title), qPrintable(where));
                 ++cited;
             }
-            QVERIFY2(!text.contains(QRegularExpression(QStringLiteral("[Ss]eeds? 00\\d"))),
-                     qPrintable(path));
+            QVERIFY2(!text.contains(QRegularExpression(u"[Ss]eeds? 00\\d"_s)), qPrintable(path));
         }
         QVERIFY(cited > 100);
     }
@@ -118,29 +113,28 @@ private slots:
                 sections.keys(), [&](const QString &name) { return source.contains(name); });
             QVERIFY2(cites, qPrintable(source));
             QVERIFY2(text.contains(u'`' + id + u'`'),
-                     qPrintable(id + QStringLiteral(" is not in resources/sources.md")));
+                     qPrintable(id + u" is not in resources/sources.md"_s));
         };
         for (const Method &method : methods())
             verify(method.id, method.source);
         for (const Layer &layer : layers())
             verify(layer.id, layer.source);
-        QStringList names = captures(QStringLiteral("`([a-z][a-z-]+)`"), text);
-        names.removeOne(QStringLiteral("closed"));
-        names.removeOne(QStringLiteral("off-screen-point"));
+        QStringList names = captures(u"`([a-z][a-z-]+)`"_s, text);
+        names.removeOne(u"closed"_s);
+        names.removeOne(u"off-screen-point"_s);
         for (const QString &name : names)
             QVERIFY2(methodNamed(name) || layerNamed(name), qPrintable(name));
     }
 
     void everyCitedSectionOfTheNumericsIsThere()
     {
-        const QStringList sections = captures(QStringLiteral("^###? (\\d(?:\\.\\d)?) "),
-                                              textInTree("resources/numerics.md"));
+        const QStringList sections
+            = captures(u"^###? (\\d(?:\\.\\d)?) "_s, textInTree("resources/numerics.md"));
         int cited = 0;
         for (const QString &path : filesOfTheTree()) {
-            const QString place
-                = QStringLiteral("numerics\\.md`?,((?:(?:,| and| to)? \\d\\.\\d)+)");
+            const QString place = u"numerics\\.md`?,((?:(?:,| and| to)? \\d\\.\\d)+)"_s;
             for (const QString &list : captures(place, runningText(path))) {
-                for (const QString &section : captures(QStringLiteral("(\\d\\.\\d)"), list))
+                for (const QString &section : captures(u"(\\d\\.\\d)"_s, list))
                     QVERIFY2(sections.contains(section), qPrintable(path + u' ' + section));
                 ++cited;
             }
@@ -161,19 +155,19 @@ private slots:
         for (const QString &path : documents()) {
             const QString text = textInTree(path);
             const QString place
-                = QStringLiteral("(?<![\\w/.])((?:app|core|resources|tests|widgets)/[\\w./-]*\\w)");
+                = u"(?<![\\w/.])((?:app|core|resources|tests|widgets)/[\\w./-]*\\w)"_s;
             for (const QString &named : captures(place, text))
                 QVERIFY2(QFileInfo::exists(inTree(named)), qPrintable(path + u' ' + named));
             const QDir folder = QFileInfo(inTree(path)).dir();
-            for (const QString &target : captures(QStringLiteral("\\]\\(([^)#:]+)\\)"), text))
+            for (const QString &target : captures(u"\\]\\(([^)#:]+)\\)"_s, text))
                 QVERIFY2(folder.exists(target), qPrintable(path + u' ' + target));
-            for (const QString &file : captures(QStringLiteral("`([\\w-]+\\.(?:h|cpp|md))`"), text))
+            for (const QString &file : captures(u"`([\\w-]+\\.(?:h|cpp|md))`"_s, text))
                 QVERIFY2(fileNames.contains(file), qPrintable(path + u' ' + file));
-            for (const QString &test : captures(QStringLiteral("`(tst_\\w+)`"), text))
+            for (const QString &test : captures(u"`(tst_\\w+)`"_s, text))
                 QVERIFY2(hasTest(test), qPrintable(path + u' ' + test));
         }
         const QString numerics = textInTree("resources/numerics.md");
-        for (const QString &name : captures(QStringLiteral("`([a-z]+[A-Z0-9]\\w+)[`…]"), numerics))
+        for (const QString &name : captures(u"`([a-z]+[A-Z0-9]\\w+)[`…]"_s, numerics))
             QVERIFY2(code.contains(name), qPrintable(name));
     }
 
@@ -197,8 +191,8 @@ private slots:
 
     void theEveningsReadingHasAtMost2500Lines()
     {
-        const QStringList files = captures(QStringLiteral("^\\| `([\\w/]+\\.(?:h|cpp))` \\|"),
-                                           textInTree("resources/extending.md"));
+        const QStringList files
+            = captures(u"^\\| `([\\w/]+\\.(?:h|cpp))` \\|"_s, textInTree("resources/extending.md"));
         QVERIFY(files.size() > 10);
         qsizetype lines = 0;
         for (const QString &file : files) {

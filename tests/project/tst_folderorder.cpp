@@ -79,9 +79,8 @@ const QList<Library> &libraries()
 /// The names in quotes of a source's include directives.
 QStringList includesOf(const QString &text)
 {
-    static const QRegularExpression directive(
-        QStringLiteral("^[ \\t]*#[ \\t]*include[ \\t]+\"([^\"]+)\""),
-        QRegularExpression::MultilineOption);
+    static const QRegularExpression directive(u"^[ \\t]*#[ \\t]*include[ \\t]+\"([^\"]+)\""_s,
+                                              QRegularExpression::MultilineOption);
     QStringList names;
     for (const QRegularExpressionMatch &match : directive.globalMatch(text))
         names.append(match.captured(1));
@@ -106,11 +105,11 @@ QString complaintAboutRoom(const QStringList &rooms, const QString &room, const 
 {
     for (const QString &named : {room, other}) {
         if (!rooms.contains(named))
-            return QStringLiteral("the room \"%1\" has no place in the order").arg(named);
+            return u"the room \"%1\" has no place in the order"_s.arg(named);
     }
     return rooms.indexOf(other) <= rooms.indexOf(room)
         ? QString()
-        : QStringLiteral("the room \"%1\" does not stand below \"%2\"").arg(other, room);
+        : u"the room \"%1\" does not stand below \"%2\""_s.arg(other, room);
 }
 
 /// Why the source at a path may not include the file; empty if it may.
@@ -118,18 +117,17 @@ QString complaintAbout(const Library &library, const QString &path, const QStrin
 {
     const QString folder = path.section(u'/', 1, 1);
     const QString otherLibrary = included.section(u'/', 0, 0);
-    if (library.below.contains(otherLibrary) || included.endsWith(QStringLiteral(".moc")))
+    if (library.below.contains(otherLibrary) || included.endsWith(u".moc"_s))
         return {};
     if (otherLibrary != library.name)
-        return QStringLiteral("not a path of %1 or of a library below it").arg(library.name);
+        return u"not a path of %1 or of a library below it"_s.arg(library.name);
     const QString other = included.section(u'/', 1, 1);
     const qsizetype rank = rankOf(library.order, folder);
     const qsizetype otherRank = rankOf(library.order, other);
     if (rank < 0 || otherRank < 0)
-        return QStringLiteral("%1 has no place in the order").arg(rank < 0 ? folder : other);
+        return u"%1 has no place in the order"_s.arg(rank < 0 ? folder : other);
     if (other != folder)
-        return otherRank < rank ? QString()
-                                : QStringLiteral("%1 does not stand below %2").arg(other, folder);
+        return otherRank < rank ? QString() : u"%1 does not stand below %2"_s.arg(other, folder);
     const auto rooms = library.rooms.find(folder);
     return complaintAboutRoom(rooms == library.rooms.end() ? QStringList(QString()) : rooms->second,
                               roomOf(path), roomOf(included));
@@ -159,7 +157,7 @@ private slots:
             for (const QString &included : includesOf(textInTree(path))) {
                 const QString complaint = complaintAbout(checked, path, included);
                 if (!complaint.isEmpty())
-                    complaints.append(path + u' ' + included + QStringLiteral(": ") + complaint);
+                    complaints.append(path + u' ' + included + u": "_s + complaint);
             }
         }
         QVERIFY2(complaints.isEmpty(), qPrintable(complaints.join(u'\n')));
@@ -179,8 +177,8 @@ private slots:
         QTest::addColumn<QString>("path");
         QTest::addColumn<QString>("directive");
         QTest::addColumn<bool>("allowed");
-        const QString scan = QStringLiteral("core/scan/tests/edgetest.h");
-        const QString rows = QStringLiteral("core/methods/lines/linenumbers.cpp");
+        const QString scan = u"core/scan/tests/edgetest.h"_s;
+        const QString rows = u"core/methods/lines/linenumbers.cpp"_s;
         const auto add
             = [](const char *name, const QString &path, const char *directive, bool allowed) {
                   QTest::newRow(name) << path << QString(directive) << allowed;

@@ -16,6 +16,8 @@
 
 namespace tst_textarguments {
 
+using namespace Qt::StringLiterals;
+
 namespace {
 
 /// Folders that use only the program's own words; no outside names pass through them.
@@ -52,14 +54,14 @@ std::pair<QString, qsizetype> bracketed(const QString &text, qsizetype open)
 bool looksLikeText(const QString &expression)
 {
     static const QRegularExpression literal(
-        QStringLiteral("(QStringLiteral|QLatin1String|tr)\\(\\s*(\"([^\"\\\\]|\\\\.)*\"\\s*)+\\)"));
+        u"(QStringLiteral|QLatin1String|tr)\\(\\s*(\"([^\"\\\\]|\\\\.)*\"\\s*)+\\)"_s);
     static const QRegularExpression last(
-        QStringLiteral("(path|name|title|text|folder|file|word|what|where|kind|message|heading|"
-                       "suffix|key|drawnBy|told|why|reason|fault|front\\(\\)|value|argument)"
-                       "(\\([^()]*\\))?$"),
+        u"(path|name|title|text|folder|file|word|what|where|kind|message|heading|"
+        "suffix|key|drawnBy|told|why|reason|fault|front\\(\\)|value|argument)"
+        "(\\([^()]*\\))?$"_s,
         QRegularExpression::CaseInsensitiveOption);
     static const QRegularExpression call(
-        QStringLiteral("\\b(QString::from|toString|join\\(|fileName|argument\\(|value\\(|tr\\()"));
+        u"\\b(QString::from|toString|join\\(|fileName|argument\\(|value\\(|tr\\()"_s);
     const QString shown = QString(expression).remove(literal);
     return last.match(shown).hasMatch() || call.match(shown).hasMatch();
 }
@@ -67,7 +69,7 @@ bool looksLikeText(const QString &expression)
 /// The first text in a chain of .arg that is not in its last call; empty if there is none.
 QStringList garbledIn(const QString &text)
 {
-    const QString call = QStringLiteral(".arg(");
+    const QString call = u".arg("_s;
     QStringList found;
     for (qsizetype place = text.indexOf(call); place >= 0; place = text.indexOf(call, place)) {
         QString arguments;
@@ -105,7 +107,7 @@ private slots:
                 QVERIFY(file.open(QIODevice::ReadOnly));
                 ++read;
                 for (const QString &found : garbledIn(QString::fromUtf8(file.readAll())))
-                    complaints += path + QStringLiteral(": .arg(") + found + u')';
+                    complaints += path + u": .arg("_s + found + u')';
             }
         }
         QVERIFY(read > 200);

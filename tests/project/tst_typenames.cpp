@@ -20,10 +20,10 @@ namespace {
 QString codeOf(QString text)
 {
     static const QRegularExpression others(
-        QStringLiteral("//[^\\n]*|/\\*.*?\\*/|R\"([^()\\s]*)\\(.*?\\)\\1\""
-                       "|\"(?:\\\\.|[^\"\\\\\\n])*+\"|'(?:\\\\.|[^'\\\\\\n])'"),
+        u"//[^\\n]*|/\\*.*?\\*/|R\"([^()\\s]*)\\(.*?\\)\\1\""
+        "|\"(?:\\\\.|[^\"\\\\\\n])*+\"|'(?:\\\\.|[^'\\\\\\n])'"_s,
         QRegularExpression::DotMatchesEverythingOption);
-    return text.replace(others, QStringLiteral(" "));
+    return text.replace(others, u" "_s);
 }
 
 /// The types that a source defines outside classes and functions.
@@ -35,10 +35,10 @@ struct DefinedTypes {
 DefinedTypes typesIn(const QString &text)
 {
     static const QRegularExpression scopes(
-        QStringLiteral("\\bnamespace(?:\\s+(?<space>[\\w:]+))?\\s*\\{"
-                       "|\\b(?:enum\\s+(?:class|struct)|enum|class|struct|union)\\s+"
-                       "(?:(?:alignas\\s*\\([^()]*\\)|\\[\\[[^\\]]*\\]\\])\\s*)*"
-                       "(?<type>\\w+)(?:\\s+final)?(?:\\s*:(?!:)[^;{()]*)?\\s*\\{|\\{|\\}"));
+        u"\\bnamespace(?:\\s+(?<space>[\\w:]+))?\\s*\\{"
+        "|\\b(?:enum\\s+(?:class|struct)|enum|class|struct|union)\\s+"
+        "(?:(?:alignas\\s*\\([^()]*\\)|\\[\\[[^\\]]*\\]\\])\\s*)*"
+        "(?<type>\\w+)(?:\\s+final)?(?:\\s*:(?!:)[^;{()]*)?\\s*\\{|\\{|\\}"_s);
     DefinedTypes types;
     QList<std::optional<QString>> open; ///< the namespaces' names; nullopt for any other scope
     for (const QRegularExpressionMatch &match : scopes.globalMatch(codeOf(text))) {
@@ -49,16 +49,16 @@ DefinedTypes typesIn(const QString &text)
             continue;
         }
         if (match.captured().startsWith(u"namespace")) {
-            open.append(match.captured(QStringLiteral("space")));
+            open.append(match.captured(u"space"_s));
             continue;
         }
         const bool isOutside = std::ranges::all_of(
             open, [](const std::optional<QString> &space) { return space && !space->isEmpty(); });
-        if (isOutside && match.hasCaptured(QStringLiteral("type"))) {
+        if (isOutside && match.hasCaptured(u"type"_s)) {
             QString name;
             for (const std::optional<QString> &space : std::as_const(open))
-                name += *space + QStringLiteral("::");
-            types.names.append(name + match.captured(QStringLiteral("type")));
+                name += *space + u"::"_s;
+            types.names.append(name + match.captured(u"type"_s));
         }
         open.append(std::nullopt);
     }
@@ -83,12 +83,12 @@ private slots:
                     files[name].append(path);
             }
         }
-        QVERIFY(files.contains(QStringLiteral("pixelplumb::Triangle")));
+        QVERIFY(files.contains(u"pixelplumb::Triangle"_s));
         QVERIFY(files.size() > 500);
         QStringList twice;
         for (auto name = files.cbegin(); name != files.cend(); ++name) {
             if (name->size() > 1)
-                twice.append(name.key() + QStringLiteral(": ") + name->join(QStringLiteral(", ")));
+                twice.append(name.key() + u": "_s + name->join(u", "_s));
         }
         QVERIFY2(twice.isEmpty(), qPrintable(twice.join(u'\n')));
     }

@@ -8,6 +8,8 @@
 
 namespace pixelplumb {
 
+using namespace Qt::StringLiterals;
+
 namespace {
 
 constexpr const char *variable = "PIXELPLUMB_TEST_CASES";
@@ -15,7 +17,7 @@ constexpr std::size_t oneOf = 10;
 
 constexpr std::size_t shareOf(std::size_t all) { return (all + oneOf - 1) / oneOf; }
 
-QByteArray value() { return qEnvironmentVariable(variable, QStringLiteral("1")).toLatin1(); }
+QByteArray value() { return qEnvironmentVariable(variable, u"1"_s).toLatin1(); }
 
 std::uint32_t seed()
 {

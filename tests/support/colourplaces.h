@@ -13,6 +13,8 @@
 /// two bytes without lying on it: the hardest samples for tests of exact colours.
 namespace pixelplumb {
 
+using namespace Qt::StringLiterals;
+
 /// In pixels, to the right and up.
 struct Steps {
     std::int64_t right = 0;
@@ -74,8 +76,7 @@ struct ColourPlace {
 
     QString text() const
     {
-        return QStringLiteral("(0, 0) (%1, %2) (%3, %4) at (%5, %6), scale %7, levels %8 %9 %10")
-            .arg(x1)
+        return u"(0, 0) (%1, %2) (%3, %4) at (%5, %6), scale %7, levels %8 %9 %10"_s.arg(x1)
             .arg(y1)
             .arg(x2)
             .arg(y2)

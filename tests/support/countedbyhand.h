@@ -52,12 +52,11 @@ inline QString departure(const OperationCounts &counts, WorkStage stage,
     QStringList differing;
     for (const Operation operation : allOperations) {
         if (counts.of(stage, operation) != wanted[std::size_t(operation)])
-            differing.append(QStringLiteral("%1 %2 instead of %3")
-                                 .arg(counts.of(stage, operation))
+            differing.append(u"%1 %2 instead of %3"_s.arg(counts.of(stage, operation))
                                  .arg(QString::fromLatin1(nameOf(operation).data()))
                                  .arg(wanted[std::size_t(operation)]));
     }
-    return differing.join(QStringLiteral(", "));
+    return differing.join(u", "_s);
 }
 
 } // namespace pixelplumb

@@ -265,8 +265,7 @@ bool FormulaRange::isNarrow() const
 
 QString FormulaRange::text() const
 {
-    return QStringLiteral("%1 … %2")
-        .arg(double(m_range.least), 0, 'g', 17)
+    return u"%1 … %2"_s.arg(double(m_range.least), 0, 'g', 17)
         .arg(double(m_range.greatest), 0, 'g', 17);
 }
 
@@ -289,14 +288,13 @@ QString formulaFault(const FormulaLine &line, const std::optional<FormulaRange> 
 {
     const auto [left, right] = sidesOf(line.symbols);
     if (left == right)
-        return QStringLiteral("says nothing");
+        return u"says nothing"_s;
     if (!range)
-        return QStringLiteral("cannot be worked out");
+        return u"cannot be worked out"_s;
     if (range->holds(line.used))
         return QString();
     const auto wrapped = FormulaRange::wrappedOf(line.substituted, arithmetic);
-    return wrapped && wrapped->holds(line.used) ? QString()
-                                                : QStringLiteral("gives ") + range->text();
+    return wrapped && wrapped->holds(line.used) ? QString() : u"gives "_s + range->text();
 }
 
 } // namespace pixelplumb

@@ -8,6 +8,8 @@
 
 namespace pixelplumb {
 
+using namespace Qt::StringLiterals;
+
 /// Private settings for a test: empty at first and deleted afterwards. The user's settings are
 /// never touched.
 class IsolatedSettings {
@@ -15,8 +17,8 @@ public:
     IsolatedSettings()
     {
         QStandardPaths::setTestModeEnabled(true);
-        QCoreApplication::setOrganizationName(QStringLiteral("PixelplumbTest"));
-        QCoreApplication::setApplicationName(QStringLiteral("pixelplumb-test"));
+        QCoreApplication::setOrganizationName(u"PixelplumbTest"_s);
+        QCoreApplication::setApplicationName(u"pixelplumb-test"_s);
         for (const QSettings::Format format : {QSettings::NativeFormat, QSettings::IniFormat})
             QSettings::setPath(format, QSettings::UserScope, m_folder.path());
     }

@@ -9,7 +9,7 @@ namespace pixelplumb {
 inline StudySettings smallRequest()
 {
     StudySettings request;
-    request.families = {QStringLiteral("own-scene")};
+    request.families = {u"own-scene"_s};
     request.rounds = 2;
     for (const char *id : {"column-scan:exact", "column-scan:float32"})
         request.contenders.push_back(*labContenderNamed(QLatin1String(id)));

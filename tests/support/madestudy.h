@@ -20,13 +20,13 @@ inline std::shared_ptr<Study> madeResults(const std::vector<MadeContender> &cont
 {
     auto results = std::make_shared<Study>();
     Study &study = *results;
-    study.command = QStringLiteral("pixelplumb-cli lab --quick --seed 1");
-    study.conditions.processor = QStringLiteral("a processor");
+    study.command = u"pixelplumb-cli lab --quick --seed 1"_s;
+    study.conditions.processor = u"a processor"_s;
     study.rounds = 5;
     for (const char *id : {"f", "g"}) {
         StudyFamily family;
         family.id = QLatin1String(id);
-        family.title = QStringLiteral("Family %1").arg(family.id);
+        family.title = u"Family %1"_s.arg(family.id);
         family.timedTriangles = 10;
         family.timedColumns = 200;
         family.timedRows = 300;
@@ -40,7 +40,7 @@ inline std::shared_ptr<Study> madeResults(const std::vector<MadeContender> &cont
             row.settings.arithmetic = Arithmetic::Float32;
             row.accuracy.emplace().pixels = 1'000'000;
             row.accuracy->wrongBytes = made.wrongBytes;
-            if (family.id == QStringLiteral("f")) {
+            if (family.id == u"f"_s) {
                 const double draw = made.perPixel * 1000;
                 row.cost.emplace().perDraw = {draw * 0.9, draw, draw * 1.1};
                 row.cost->rounds = 5;
@@ -50,8 +50,8 @@ inline std::shared_ptr<Study> madeResults(const std::vector<MadeContender> &cont
     }
     for (const MadeContender &made : contenders) {
         const QString id = QLatin1String(made.id);
-        study.contenders.push_back({id, id, kernelOf(id), made.isProved,
-                                    QStringLiteral("all triangles"), CostFit{20, 3, 0.5, 0}});
+        study.contenders.push_back(
+            {id, id, kernelOf(id), made.isProved, u"all triangles"_s, CostFit{20, 3, 0.5, 0}});
     }
     return results;
 }

@@ -7,31 +7,31 @@
 
 namespace pixelplumb {
 
+using namespace Qt::StringLiterals;
+
 namespace {
 
 /// The kind of object and the name in a line.
 QRegularExpressionMatch promiseOf(const QString &line)
 {
-    static const QRegularExpression promise(
-        QStringLiteral("^(widget|action|dialog) ([A-Za-z]\\w*)$"));
+    static const QRegularExpression promise(u"^(widget|action|dialog) ([A-Za-z]\\w*)$"_s);
     return promise.match(line);
 }
 
 QStringList lines()
 {
-    return textInTree(QStringLiteral("tests/data/object_names.txt"))
-        .split(u'\n', Qt::SkipEmptyParts);
+    return textInTree(u"tests/data/object_names.txt"_s).split(u'\n', Qt::SkipEmptyParts);
 }
 
 QString wordFor(PromisedObject object)
 {
     switch (object) {
     case PromisedObject::Widget:
-        return QStringLiteral("widget");
+        return u"widget"_s;
     case PromisedObject::Action:
-        return QStringLiteral("action");
+        return u"action"_s;
     case PromisedObject::Dialog:
-        return QStringLiteral("dialog");
+        return u"dialog"_s;
     }
     return {};
 }

@@ -7,14 +7,13 @@
 
 namespace pixelplumb {
 
+using namespace Qt::StringLiterals;
+
 QString resource(const QString &path) { return QStringLiteral(PIXELPLUMB_RESOURCES) + path; }
 
-QString testData(const QString &name) { return resource(QStringLiteral("/../tests/data/")) + name; }
+QString testData(const QString &name) { return resource(u"/../tests/data/"_s) + name; }
 
-QString inTree(const QString &path)
-{
-    return QDir::cleanPath(resource(QStringLiteral("/../") + path));
-}
+QString inTree(const QString &path) { return QDir::cleanPath(resource(u"/../"_s + path)); }
 
 QString textInTree(const QString &path)
 {
@@ -35,8 +34,7 @@ QStringList filesBelow(const QString &folder, const QStringList &patterns)
 
 QStringList documents()
 {
-    return QStringList{QStringLiteral("README.md")}
-    + filesBelow(QStringLiteral("resources"), {QStringLiteral("*.md")});
+    return QStringList{u"README.md"_s} + filesBelow(u"resources"_s, {u"*.md"_s});
 }
 
 } // namespace pixelplumb

@@ -23,7 +23,7 @@ std::map<QString, TestRun> &registeredTests()
 RegisteredTest::RegisteredTest(const char *file, TestRun run)
 {
     const QString source = QFileInfo(QString::fromUtf8(file)).baseName();
-    registeredTests().emplace(source.sliced(QStringLiteral("tst_").size()), run);
+    registeredTests().emplace(source.sliced(u"tst_"_s.size()), run);
 }
 
 int runTests(const QStringList &arguments)

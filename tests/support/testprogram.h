@@ -11,6 +11,8 @@
 ///     program columnscan -v2 function  arguments after the classes are QTest's
 namespace pixelplumb {
 
+using namespace Qt::StringLiterals; // u"…"_s is a QString
+
 /// Runs one class with QTest's arguments; returns how many of its functions failed.
 using TestRun = int (*)(const QStringList &arguments);
 

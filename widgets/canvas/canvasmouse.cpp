@@ -239,7 +239,7 @@ Qt::CursorShape CanvasMouse::cursor() const
 CanvasMenu::CanvasMenu(SceneDocument *document, const VertexRef &ref, QWidget *parent)
     : QMenu(parent)
 {
-    setObjectName(QStringLiteral("canvasMenu"));
+    setObjectName(u"canvasMenu"_s);
     addAction(tr("Vertex &colour…"), this, [this, ref] { emit colourRequested(ref); });
     addAction(tr("&Coordinates…"), this, [this, ref] { emit coordinatesRequested(ref); });
     addSeparator();

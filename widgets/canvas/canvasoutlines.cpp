@@ -127,7 +127,7 @@ void addOutline(CanvasScene &scene, int primitive, const CanvasSources &sources,
 /// A vertex's name, with the file's number where that differs from the method's.
 QString vertexName(std::size_t rank, std::size_t inFile)
 {
-    const QString name = QStringLiteral("P%1").arg(rank);
+    const QString name = u"P%1"_s.arg(rank);
     return rank == inFile ? name
                           : QCoreApplication::translate("pixelplumb::Canvas", "%1 (vertex %2)")
                                 .arg(name, QString::number(inFile));
@@ -172,7 +172,7 @@ void addNames(CanvasScene &scene, int primitive, const CanvasSources &sources,
 /// Whether the vertices layer already names them, with their coordinates.
 bool isNamedByLayer(int primitive, const CanvasSources &sources)
 {
-    return sources.options->layers().contains(QStringLiteral("vertices"))
+    return sources.options->layers().contains(u"vertices"_s)
         && primitive == steppedPrimitive(sources).value_or(primitive);
 }
 

@@ -217,7 +217,7 @@ private:
             notes += tr("More than %1 in view: outlines and handles show only under the pointer "
                         "and for the current triangle")
                          .arg(OutlineChoice::mostInView);
-        return notes.join(QStringLiteral(" · "));
+        return notes.join(u" · "_s);
     }
 
     const SceneDocument &m_document;
@@ -243,9 +243,8 @@ std::shared_ptr<const PictureJudgement> markedJudgement(const CanvasSources &sou
 
 QString coordinateNote(const LatticePoint &point)
 {
-    return QStringLiteral("(%1, %2)")
-        .arg(displayText(Quantity::rational(point.x, unitsPerPixel)),
-             displayText(Quantity::rational(point.y, unitsPerPixel)));
+    return u"(%1, %2)"_s.arg(displayText(Quantity::rational(point.x, unitsPerPixel)),
+                             displayText(Quantity::rational(point.y, unitsPerPixel)));
 }
 
 const FrameBuffer *judgedFrame(const CanvasSources &sources, const CanvasHand &hand)

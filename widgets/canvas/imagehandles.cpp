@@ -60,7 +60,7 @@ const TracedScene *runInView(const CanvasSources &sources)
 
 std::optional<AffineImage> imageInView(const CanvasSources &sources)
 {
-    const QString id = QStringLiteral("affine-map");
+    const QString id = u"affine-map"_s;
     if (!sources.options->layers().contains(id))
         return std::nullopt;
     const Layer &layer = *layerNamed(id);

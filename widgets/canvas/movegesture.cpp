@@ -32,7 +32,7 @@ void moveVertexTo(const QString &typed, const VertexRef &ref, SceneDocument &doc
         }
         place[i] = number->units;
         if (number->isDisplaced())
-            moved.add({i == 0 ? QStringLiteral("x") : QStringLiteral("y"), text, *number});
+            moved.add({i == 0 ? u"x"_s : u"y"_s, text, *number});
     }
     document.moveVertex(ref, {place[0], place[1]}, document.newDrag());
     if (const QString note = snapNote(moved); !note.isEmpty())
@@ -139,8 +139,8 @@ void Canvas::editCoordinates(const VertexRef &ref)
     dialog->setAttribute(Qt::WA_DeleteOnClose);
     dialog->setWindowTitle(tr("Vertex coordinates"));
     dialog->setLabelText(tr("x; y in px: whole numbers, decimals and fractions such as 53/2"));
-    dialog->setTextValue(QStringLiteral("%1; %2").arg(coordinateText(vertex->position.x),
-                                                      coordinateText(vertex->position.y)));
+    dialog->setTextValue(
+        u"%1; %2"_s.arg(coordinateText(vertex->position.x), coordinateText(vertex->position.y)));
     connect(dialog, &QInputDialog::textValueSelected, document,
             [document, ref](const QString &text) { moveVertexTo(text, ref, *document); });
     dialog->open();

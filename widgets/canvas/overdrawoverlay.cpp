@@ -23,7 +23,7 @@ OverdrawOverlay::OverdrawOverlay(Canvas *canvas, Playhead *playhead)
     , m_canvas(canvas)
     , m_playhead(playhead)
 {
-    setObjectName(QStringLiteral("overdrawMap"));
+    setObjectName(u"overdrawMap"_s);
     setAttribute(Qt::WA_TransparentForMouseEvents);
     setFocusPolicy(Qt::NoFocus);
     setGeometry(canvas->rect());

@@ -76,8 +76,8 @@ QString nameOfEdge(const NearestEdge &nearest, const ScanTrace &trace)
 
 QString paintedText(const QPoint &pixel, const TracedScene &traced, std::size_t primitive)
 {
-    const QString name = QStringLiteral("%1 %2").arg(
-        coreWord(nameOf(traced.primitives.kindOf(primitive))), QString::number(primitive));
+    const QString name = u"%1 %2"_s.arg(coreWord(nameOf(traced.primitives.kindOf(primitive))),
+                                        QString::number(primitive));
     if (!traced.primitives.isTriangle(primitive))
         return name;
     const std::optional<NearestEdge> nearest = edgeNearest(pixel, traced, primitive);
@@ -101,8 +101,8 @@ QString unpaintedText(const QPoint &pixel, const TracedScene &traced)
     if (!nearest || !traced.method->draws(PrimitiveKind::Triangle))
         return PointerReadout::tr("not painted");
     const QString edge = nameOfEdge(*nearest, *traced.trace);
-    const QString triangle = QStringLiteral("%1 %2").arg(coreWord(nameOf(PrimitiveKind::Triangle)),
-                                                         QString::number(nearest->triangle));
+    const QString triangle = u"%1 %2"_s.arg(coreWord(nameOf(PrimitiveKind::Triangle)),
+                                            QString::number(nearest->triangle));
     if (nearest->isOnEdge())
         return PointerReadout::tr("not painted · on %1 of %2").arg(edge, triangle);
     const QString side = nearest->edge.distance >= 0
@@ -125,7 +125,7 @@ QString studentText(const QPoint &pixel, const CanvasSources &sources, const Can
             .arg(verdict, colourText(judgement->expected.colours[*place]));
     return PointerReadout::tr("student: %1")
         .arg(judgement->found.hasColours
-                 ? colourText(judgement->found.colours[*place]) + QStringLiteral(", ") + verdict
+                 ? colourText(judgement->found.colours[*place]) + u", "_s + verdict
                  : verdict);
 }
 
@@ -184,7 +184,7 @@ QString PointerReadout::text(const QPoint &pixel, const CanvasSources &sources,
     const bool isPreview = sources.previewer && sources.previewer->isAheadOfTrace();
     const bool isBeyond = traced && traced->trace->isCut() && playhead.position() == playhead.end();
 
-    const QString place = QStringLiteral("(%1, %2)").arg(pixel.x()).arg(pixel.y());
+    const QString place = u"(%1, %2)"_s.arg(pixel.x()).arg(pixel.y());
     QStringList lines;
     if (hand.candidate && coordinateNote(*hand.candidate) != place)
         lines += PointerReadout::tr("vertex %1").arg(coordinateNote(*hand.candidate));
@@ -218,7 +218,7 @@ QString spokenState(const CanvasSources &sources, const CanvasHand &hand)
 {
     const QString frame = frameText(*sources.document);
     const QString place = spokenPlace(sources, hand);
-    return frame.isEmpty() ? place : place + QStringLiteral(", ") + frame;
+    return frame.isEmpty() ? place : place + u", "_s + frame;
 }
 
 void installCanvasAccessible()

@@ -9,6 +9,8 @@
 
 namespace pixelplumb {
 
+using namespace Qt::StringLiterals;
+
 namespace {
 
 // Logical pixels.
@@ -74,9 +76,8 @@ void Ruler::paint(QPainter &painter, const QPalette &palette,
 
     const double pixelLength = m_mapping.zoom().factor() / m_mapping.devicePixelRatio();
     const QFontMetricsF metrics(painter.font());
-    const double labelLength = isHorizontal()
-        ? metrics.horizontalAdvance(QStringLiteral("−0000")) + 6 * gap
-        : metrics.height() + 6 * gap;
+    const double labelLength = isHorizontal() ? metrics.horizontalAdvance(u"−0000"_s) + 6 * gap
+                                              : metrics.height() + 6 * gap;
     const double offset = offsetInPixels(m_mapping.frame());
     const double start = isHorizontal() ? m_rect.left() : m_rect.top();
     const double end = isHorizontal() ? m_rect.right() : m_rect.bottom();
@@ -182,7 +183,7 @@ double columnRulerHeight(const QFontMetricsF &metrics)
 
 double rowRulerWidth(const QFontMetricsF &metrics, const FrameSpec &frame)
 {
-    double widest = metrics.horizontalAdvance(QStringLiteral("−00"));
+    double widest = metrics.horizontalAdvance(u"−00"_s);
     for (const std::int64_t row :
          {std::int64_t(frame.firstRow), std::int64_t(frame.firstRow) + frame.height})
         widest = std::max(widest, metrics.horizontalAdvance(tickText(row)));

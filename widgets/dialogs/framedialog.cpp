@@ -13,13 +13,13 @@ FrameDialog::FrameDialog(const FrameSpec &frame, QWidget *parent)
     : QDialog(parent)
     , m_frame(frame)
 {
-    setObjectName(QStringLiteral("frameDialog"));
+    setObjectName(u"frameDialog"_s);
     setWindowTitle(tr("Frame"));
     auto *form = new QFormLayout;
     form->setHorizontalSpacing(16);
     form->setVerticalSpacing(8);
-    m_width = addSide(form, QStringLiteral("frameWidth"), tr("&Width"), frame.width);
-    m_height = addSide(form, QStringLiteral("frameHeight"), tr("&Height"), frame.height);
+    m_width = addSide(form, u"frameWidth"_s, tr("&Width"), frame.width);
+    m_height = addSide(form, u"frameHeight"_s, tr("&Height"), frame.height);
 
     m_background = named(new ColourButton(tr("Background"), this), "frameBackground");
     m_background->setColour(frame.background);

@@ -68,7 +68,7 @@ GoToDialog::GoToDialog(Playhead *playhead, QWidget *parent)
     , m_verdict(new QLabel(this))
     , m_buttons(new QDialogButtonBox(QDialogButtonBox::Ok | QDialogButtonBox::Cancel, this))
 {
-    setObjectName(QStringLiteral("goToDialog"));
+    setObjectName(u"goToDialog"_s);
     setWindowTitle(tr("Go To"));
     const SpanWords words = wordsFor(m_playhead->axis());
     auto *label = named(new QLabel(words.title, this), "goToLabel");
@@ -77,7 +77,7 @@ GoToDialog::GoToDialog(Playhead *playhead, QWidget *parent)
     m_line->setPlaceholderText(words.example);
     m_line->setMinimumWidth(m_line->fontMetrics().horizontalAdvance(m_line->placeholderText())
                             + 32);
-    m_verdict->setObjectName(QStringLiteral("goToVerdict"));
+    m_verdict->setObjectName(u"goToVerdict"_s);
     m_buttons->button(QDialogButtonBox::Ok)->setText(tr("Go"));
     connect(m_buttons, &QDialogButtonBox::accepted, this, &GoToDialog::go);
     connect(m_buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);

@@ -9,20 +9,21 @@
 
 namespace pixelplumb {
 
+using namespace Qt::StringLiterals;
+
 namespace {
 
 QString plainText(const QString &text) { return withoutMnemonic(text).toHtmlEscaped(); }
 
 QString row(const QString &keys, const QString &meaning, const QString &where = {})
 {
-    return QStringLiteral("<tr><td width=\"190\"><b>%1</b></td><td>%2</td>"
-                          "<td>&nbsp;&nbsp;%3</td></tr>")
-        .arg(keys, meaning, where);
+    return u"<tr><td width=\"190\"><b>%1</b></td><td>%2</td>"
+           "<td>&nbsp;&nbsp;%3</td></tr>"_s.arg(keys, meaning, where);
 }
 
 QString section(const QString &title, const QString &rows)
 {
-    return QStringLiteral("<h3>%1</h3><table cellspacing=\"2\">%2</table>").arg(title, rows);
+    return u"<h3>%1</h3><table cellspacing=\"2\">%2</table>"_s.arg(title, rows);
 }
 
 QString rowsOf(const QMenu *menu)
@@ -91,7 +92,7 @@ QString canvasKeyRows()
 KeySheet::KeySheet(const QList<QMenu *> &menus, QWidget *parent)
     : QDialog(parent)
 {
-    setObjectName(QStringLiteral("keySheet"));
+    setObjectName(u"keySheet"_s);
     setWindowTitle(tr("Keys and mouse"));
     auto *sheet = named(new QTextBrowser(this), "keySheetText", tr("Keys and mouse"));
     sheet->setHtml(keySheetHtml(menus));

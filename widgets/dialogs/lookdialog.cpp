@@ -54,7 +54,7 @@ LookDialog::LookDialog(const Scene &scene, const QString &folder, QWidget *paren
     , m_verdict(new QLabel(this))
     , m_buttons(new QDialogButtonBox(QDialogButtonBox::Ok | QDialogButtonBox::Cancel, this))
 {
-    setObjectName(QStringLiteral("lookDialog"));
+    setObjectName(u"lookDialog"_s);
     setWindowTitle(tr("Camera, Light and Materials"));
     auto *hint
         = new QLabel(tr("The keys of a scene file. A value left empty is the default."), this);

@@ -9,11 +9,13 @@
 
 namespace pixelplumb {
 
+using namespace Qt::StringLiterals;
+
 namespace {
 
 QString textOf(const QString &document)
 {
-    QFile file(QStringLiteral(":/manual/") + document);
+    QFile file(u":/manual/"_s + document);
     return file.open(QIODevice::ReadOnly) ? QString::fromUtf8(file.readAll()) : QString();
 }
 
@@ -25,7 +27,7 @@ Manual::Manual(const QList<ManualPage> &pages, QWidget *parent)
     , m_list(new QListWidget(this))
     , m_text(new QTextBrowser(this))
 {
-    setObjectName(QStringLiteral("manual"));
+    setObjectName(u"manual"_s);
     setWindowTitle(tr("Manual"));
     named(m_list, "manualPages", tr("Pages"));
     named(m_text, "manualText", tr("Page"));
@@ -64,13 +66,13 @@ QList<ManualPage> manualPages(const QList<ManualPage> &first)
 {
     QList<ManualPage> pages = {{Manual::tr("First steps"), Manual::tr("manual.md"), {}}};
     pages += first;
-    pages += {{Manual::tr("Terms"), QStringLiteral("glossary.md"), {}},
-              {Manual::tr("Scene files"), QStringLiteral("scene-file.md"), {}},
-              {Manual::tr("Assignments"), QStringLiteral("assignment-file.md"), {}},
-              {Manual::tr("Students' programs"), QStringLiteral("student-program.md"), {}},
-              {Manual::tr("Misprints of the course texts"), QStringLiteral("misprints.md"), {}},
-              {Manual::tr("Sources"), QStringLiteral("sources.md"), {}},
-              {Manual::tr("Proofs"), QStringLiteral("numerics.md"), {}}};
+    pages += {{Manual::tr("Terms"), u"glossary.md"_s, {}},
+              {Manual::tr("Scene files"), u"scene-file.md"_s, {}},
+              {Manual::tr("Assignments"), u"assignment-file.md"_s, {}},
+              {Manual::tr("Students' programs"), u"student-program.md"_s, {}},
+              {Manual::tr("Misprints of the course texts"), u"misprints.md"_s, {}},
+              {Manual::tr("Sources"), u"sources.md"_s, {}},
+              {Manual::tr("Proofs"), u"numerics.md"_s, {}}};
     return pages;
 }
 

@@ -15,13 +15,13 @@ namespace {
 
 using Textures = std::map<QString, std::shared_ptr<const Texture>>;
 
-const QString textureKey = QStringLiteral("texture");
+const QString textureKey = u"texture"_s;
 
 /// A value as a scene file has it: arrays and numbers as they are, all else as text.
 QByteArray jsonText(const QString &key, const QString &value)
 {
     static const QRegularExpression bare(
-        QStringLiteral("^(\\[[^\\[\\]{}:]*\\]|-?\\d+(\\.\\d+)?([eE][-+]?\\d+)?)$"));
+        u"^(\\[[^\\[\\]{}:]*\\]|-?\\d+(\\.\\d+)?([eE][-+]?\\d+)?)$"_s);
     const bool isBare = key != textureKey && bare.match(value).hasMatch();
     return isBare ? value.toUtf8() : quotedText(value.toUtf8());
 }
@@ -92,14 +92,14 @@ SceneLook::SceneLook(const Scene &scene, const QString &folder, QObject *parent)
     , m_usedMaterials(usedMaterialsOf(scene))
 {
     setHorizontalHeaderLabels({tr("key"), tr("value"), tr("default")});
-    m_camera = addPart(invisibleRootItem(), QStringLiteral("camera"));
+    m_camera = addPart(invisibleRootItem(), u"camera"_s);
     m_camera->setCheckState(scene.camera ? Qt::Checked : Qt::Unchecked);
     m_camera->setCheckable(scene.solids.empty()); // these need a camera
     addFields(m_camera, fieldTexts(scene.camera.value_or(Camera())));
-    m_materials = addPart(invisibleRootItem(), QStringLiteral("materials"));
+    m_materials = addPart(invisibleRootItem(), u"materials"_s);
     for (const Material &material : scene.appearance.materials)
         addMaterial(material);
-    m_lights = addPart(invisibleRootItem(), QStringLiteral("lights"));
+    m_lights = addPart(invisibleRootItem(), u"lights"_s);
     for (const Light &light : scene.appearance.lights)
         addFields(addPart(m_lights, {}), fieldTexts(light));
     nameLights();
@@ -155,7 +155,7 @@ QModelIndex SceneLook::addMaterial()
 void SceneLook::nameLights()
 {
     for (int row = 0; row < m_lights->rowCount(); ++row)
-        m_lights->child(row)->setText(QStringLiteral("[%1]").arg(row));
+        m_lights->child(row)->setText(u"[%1]"_s.arg(row));
 }
 
 bool SceneLook::canRemove(const QModelIndex &index) const

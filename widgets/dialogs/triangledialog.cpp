@@ -34,7 +34,7 @@ QString axisName(std::size_t index) { return QString::fromLatin1(carriedNames[in
 TriangleDialog::TriangleDialog(QWidget *parent)
     : QDialog(parent)
 {
-    setObjectName(QStringLiteral("triangleDialog"));
+    setObjectName(u"triangleDialog"_s);
     setWindowTitle(tr("Add a Triangle"));
     auto *grid = new QGridLayout;
     grid->setHorizontalSpacing(8);
@@ -61,7 +61,7 @@ TriangleDialog::TriangleDialog(QWidget *parent)
     connect(m_buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
 
     m_more = new QCheckBox(tr("&Depth, texture and normals"), this);
-    m_more->setObjectName(QStringLiteral("triangleCarries"));
+    m_more->setObjectName(u"triangleCarries"_s);
     const auto showCarried = [this](bool shown) {
         for (QWidget *part : std::as_const(m_carried))
             part->setVisible(shown);
@@ -163,8 +163,8 @@ SnapReports TriangleDialog::displacements() const
             reports.add({tr("vertex %1, %2").arg(vertex).arg(name), text, *number, &format});
     };
     for (std::size_t vertex = 0; vertex < m_rows.size(); ++vertex) {
-        add(vertex, QStringLiteral("x"), m_rows[vertex].x, coordinateFormat);
-        add(vertex, QStringLiteral("y"), m_rows[vertex].y, coordinateFormat);
+        add(vertex, u"x"_s, m_rows[vertex].x, coordinateFormat);
+        add(vertex, u"y"_s, m_rows[vertex].y, coordinateFormat);
         for (std::size_t i = 0; i < carriedCount; ++i)
             add(vertex, axisName(i), m_rows[vertex].carried[i], attributeFormat);
     }
@@ -175,7 +175,7 @@ QLineEdit *TriangleDialog::addField(QGridLayout *grid, int vertex, int gridColum
                                     const QString &axis)
 {
     auto *field = new QLineEdit(this);
-    field->setObjectName(QStringLiteral("vertex%1%2").arg(vertex).arg(axis));
+    field->setObjectName(u"vertex%1%2"_s.arg(vertex).arg(axis));
     field->setAccessibleName(tr("%1 of %2").arg(axis, tr("vertex %1").arg(vertex)));
     field->setAlignment(Qt::AlignRight);
     connect(field, &QLineEdit::textChanged, this, &TriangleDialog::judge);
@@ -188,20 +188,20 @@ void TriangleDialog::addVertex(QGridLayout *grid, int vertex, const Colour &colo
     const QString name = tr("vertex %1").arg(vertex);
     Row &row = m_rows[std::size_t(vertex)];
     grid->addWidget(new QLabel(name, this), vertex + 1, 0);
-    row.x = addField(grid, vertex, 1, QStringLiteral("x"));
-    row.y = addField(grid, vertex, 2, QStringLiteral("y"));
+    row.x = addField(grid, vertex, 1, u"x"_s);
+    row.y = addField(grid, vertex, 2, u"y"_s);
     for (QLineEdit *field : {row.x, row.y}) {
         field->setPlaceholderText(tr("26, 26.5 or 53/2"));
         field->setMinimumWidth(field->fontMetrics().horizontalAdvance(field->placeholderText())
                                + besidePlace);
     }
     row.colour = new ColourButton(tr("Colour of %1").arg(name), this);
-    row.colour->setObjectName(QStringLiteral("vertex%1Colour").arg(vertex));
+    row.colour->setObjectName(u"vertex%1Colour"_s.arg(vertex));
     row.colour->setColour(colour);
     grid->addWidget(row.colour, vertex + 1, 3);
     for (std::size_t i = 0; i < carriedCount; ++i) {
         QLineEdit *field = addField(grid, vertex, firstCarriedColumn + int(i), axisName(i));
-        field->setPlaceholderText(i == divisor ? QStringLiteral("1") : QStringLiteral("0"));
+        field->setPlaceholderText(i == divisor ? u"1"_s : u"0"_s);
         field->setMinimumWidth(field->fontMetrics().averageCharWidth()
                                * (i == 0 ? depthWidth : carriedWidth));
         row.carried[i] = field;

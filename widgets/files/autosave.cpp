@@ -17,8 +17,8 @@ namespace {
 constexpr std::chrono::seconds defaultRest(3);
 
 // Files next to the kept scene, named after it.
-QString lockOf(const QString &path) { return path + QStringLiteral(".lock"); }
-QString noteOf(const QString &path) { return path + QStringLiteral(".origin"); }
+QString lockOf(const QString &path) { return path + u".lock"_s; }
+QString noteOf(const QString &path) { return path + u".origin"_s; }
 
 std::shared_ptr<QLockFile> lockFor(const QString &path)
 {
@@ -44,16 +44,14 @@ struct Autosave::Writing {
 
 QString Autosave::defaultFolder()
 {
-    return QStandardPaths::writableLocation(QStandardPaths::AppLocalDataLocation)
-        + QStringLiteral("/unsaved");
+    return QStandardPaths::writableLocation(QStandardPaths::AppLocalDataLocation) + u"/unsaved"_s;
 }
 
 Autosave::Autosave(SceneDocument *document, const QString &folder, QObject *parent)
     : QObject(parent)
     , m_document(document)
     , m_folder(folder)
-    , m_path(folder + u'/' + QUuid::createUuid().toString(QUuid::WithoutBraces)
-             + QStringLiteral(".json"))
+    , m_path(folder + u'/' + QUuid::createUuid().toString(QUuid::WithoutBraces) + u".json"_s)
     , m_writing(std::make_shared<Writing>())
 {
     m_timer.setSingleShot(true);
@@ -120,8 +118,7 @@ void Autosave::keep()
 std::optional<UnsavedScene> Autosave::leftBehind() const
 {
     const QDir folder(m_folder);
-    for (const QFileInfo &file :
-         folder.entryInfoList({QStringLiteral("*.json")}, QDir::Files, QDir::Time)) {
+    for (const QFileInfo &file : folder.entryInfoList({u"*.json"_s}, QDir::Files, QDir::Time)) {
         const QString path = file.filePath();
         if (path == m_path)
             continue;

@@ -7,6 +7,8 @@
 
 namespace pixelplumb {
 
+using namespace Qt::StringLiterals;
+
 namespace {
 
 /// The folders beside the sources and an installed program, nearest first.
@@ -128,7 +130,7 @@ std::vector<Example> examples()
     const QList<QDir> folders = exampleFolders();
     if (folders.isEmpty())
         return all;
-    for (const QString &file : folders.front().entryList({QStringLiteral("*.json")}, QDir::Files)) {
+    for (const QString &file : folders.front().entryList({u"*.json"_s}, QDir::Files)) {
         const QString name = QFileInfo(file).completeBaseName();
         QString title = QString(name).replace(u'-', u' ');
         title[0] = title[0].toUpper();

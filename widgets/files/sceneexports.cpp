@@ -63,7 +63,7 @@ bool SceneExports::writePicture(const QString &path, ExportMoment moment)
     QImage picture = shown.image();
     const QString frame = frameText(*m_document);
     if (!frame.isEmpty())
-        picture.setText(QStringLiteral("Description"), frame);
+        picture.setText(u"Description"_s, frame);
     QBuffer encoded; // libpng would print its own error if it wrote to the file directly
     picture.save(&encoded, "PNG");
     const std::optional<InputError> error = writeFile(path, encoded.data());
@@ -131,15 +131,14 @@ bool SceneExports::writeRaster(const QString &path, ExportMoment moment)
 
 void SceneExports::exportPicture()
 {
-    if (const auto target
-        = askForTarget(tr("Export the Picture"), tr("PNG picture"), QStringLiteral("png")))
+    if (const auto target = askForTarget(tr("Export the Picture"), tr("PNG picture"), u"png"_s))
         writePicture(target->path, target->moment);
 }
 
 void SceneExports::exportAnnotatedGrid()
 {
     if (const auto target
-        = askForTarget(tr("Export the Annotated Grid"), tr("SVG drawing"), QStringLiteral("svg")))
+        = askForTarget(tr("Export the Annotated Grid"), tr("SVG drawing"), u"svg"_s))
         writeAnnotatedGrid(target->path, target->moment);
 }
 
@@ -153,16 +152,15 @@ void SceneExports::exportTrace(TraceLevel level, TableFormat format)
     const QString title
         = level == TraceLevel::Column ? titleOfSpans(m_playhead->axis()) : tr("Export the Pixels");
     const bool isCsv = format == TableFormat::Csv;
-    const auto target = askForTarget(title, isCsv ? tr("CSV table") : tr("JSON"),
-                                     isCsv ? QStringLiteral("csv") : QStringLiteral("json"));
+    const auto target
+        = askForTarget(title, isCsv ? tr("CSV table") : tr("JSON"), isCsv ? u"csv"_s : u"json"_s);
     if (target)
         writeTrace(target->path, level, format, target->moment);
 }
 
 void SceneExports::exportRaster()
 {
-    if (const auto target
-        = askForTarget(tr("Export the Raster"), tr("Text"), QStringLiteral("txt")))
+    if (const auto target = askForTarget(tr("Export the Raster"), tr("Text"), u"txt"_s))
         writeRaster(target->path, target->moment);
 }
 
@@ -190,16 +188,15 @@ void SceneExports::copyPickedPixel()
     if (!hasTrace() || !pixel)
         return;
     const Colour colour = unpacked(*m_playhead->frame()->view().at(pixel->x(), pixel->y()));
-    QStringList cells{QStringLiteral("(%1, %2)").arg(pixel->x()).arg(pixel->y()),
-                      colourText(colour)};
+    QStringList cells{u"(%1, %2)"_s.arg(pixel->x()).arg(pixel->y()), colourText(colour)};
     if (const QString frame = frameText(*m_document); !frame.isEmpty())
         cells += frame;
     BriefPixelHistory history = briefPixelHistory(*m_playhead->traced(), pixel->x(), pixel->y());
     if (m_playhead->isAheadHidden())
         leaveOutAhead(history, m_playhead->position());
     for (const PixelAttempt &attempt : history.attempts)
-        cells += QStringLiteral("%1 %2: %3")
-                     .arg(nameOf(attempt.kind), QString::number(attempt.primitive), attempt.reason);
+        cells += u"%1 %2: %3"_s.arg(nameOf(attempt.kind), QString::number(attempt.primitive),
+                                    attempt.reason);
     if (history.furtherRefusals > 0)
         cells += tr("%n more primitives leave it alone", nullptr, int(history.furtherRefusals));
     QApplication::clipboard()->setText(cells.join(QLatin1Char('\t')));
@@ -219,7 +216,7 @@ std::optional<SceneExports::Target> SceneExports::askForTarget(const QString &ti
                             QString::number(m_playhead->end()), suffix);
     QFileDialog dialog(m_window, title);
     dialog.setNameFilters(filters);
-    dialog.setObjectName(QStringLiteral("exportDialog"));
+    dialog.setObjectName(u"exportDialog"_s);
     dialog.setAcceptMode(QFileDialog::AcceptSave);
     dialog.setDefaultSuffix(suffix);
     if (!m_scenePath.isEmpty() && !isExample(m_scenePath))
@@ -235,7 +232,7 @@ std::optional<SceneExports::Target> SceneExports::askForTarget(const QString &ti
 QString SceneExports::proposedName(const QString &suffix) const
 {
     const std::optional<int> frame = movingFrame(*m_document);
-    const QString ofFrame = frame ? QStringLiteral("-frame-%1").arg(*frame) : QString();
+    const QString ofFrame = frame ? u"-frame-%1"_s.arg(*frame) : QString();
     return m_baseName + ofFrame + QLatin1Char('.') + suffix;
 }
 

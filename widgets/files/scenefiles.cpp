@@ -25,7 +25,7 @@ UnsavedChanges ask(const QString &name, QMessageBox::StandardButtons answers, QW
     QMessageBox box(QMessageBox::Question, ChangesQuestion::tr("Unsaved Changes"),
                     ChangesQuestion::tr("“%1” has changes that are not saved.").arg(name), answers,
                     window);
-    box.setObjectName(QStringLiteral("unsavedChanges"));
+    box.setObjectName(u"unsavedChanges"_s);
     box.setTextFormat(Qt::PlainText); // a name may look like HTML
     box.setInformativeText(ChangesQuestion::tr("Without saving they are lost."));
     box.setDefaultButton(answers & QMessageBox::Save ? QMessageBox::Save : QMessageBox::Cancel);
@@ -54,7 +54,7 @@ UnsavedChanges askAboutRevert(const QString &name, QWidget *window)
     return ask(name, QMessageBox::Discard | QMessageBox::Cancel, window);
 }
 
-QString SceneFiles::defaultScenePath() { return QStringLiteral(":/scenes/default.json"); }
+QString SceneFiles::defaultScenePath() { return u":/scenes/default.json"_s; }
 
 QString SceneFiles::sceneFilter() { return tr("Scenes (*.json *.pixelplumb);;All files (*)"); }
 

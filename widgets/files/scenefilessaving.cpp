@@ -23,7 +23,7 @@ constexpr std::size_t mostWrittenAtOnce = 5'000;
 
 QString SceneFiles::titleName() const
 {
-    const QString mark = QStringLiteral("[*]"); // marks changes; doubled, it is literal
+    const QString mark = u"[*]"_s; // marks changes; doubled, it is literal
     return displayName().replace(mark, mark + mark);
 }
 
@@ -41,9 +41,9 @@ bool SceneFiles::saveAs()
 {
     const QString proposal = proposedPath();
     QFileDialog dialog(m_window, tr("Save the Scene"), proposal, sceneFilter());
-    dialog.setObjectName(QStringLiteral("saveDialog"));
+    dialog.setObjectName(u"saveDialog"_s);
     dialog.setAcceptMode(QFileDialog::AcceptSave);
-    dialog.setDefaultSuffix(QStringLiteral("json"));
+    dialog.setDefaultSuffix(u"json"_s);
     dialog.selectFile(proposal);
     return dialog.exec() == QDialog::Accepted && saveTo(dialog.selectedFiles().constFirst());
 }
@@ -112,7 +112,7 @@ bool SceneFiles::waitForSaving()
     if (!m_saving.isRunning())
         return true;
     QProgressDialog dialog(tr("Saving…"), tr("Go on working"), 0, 0, m_window);
-    dialog.setObjectName(QStringLiteral("savingDialog"));
+    dialog.setObjectName(u"savingDialog"_s);
     dialog.setWindowModality(Qt::WindowModal);
     connect(&m_saving, &Job::ended, &dialog, &QDialog::accept);
     return dialog.exec() == QDialog::Accepted;
@@ -121,8 +121,7 @@ bool SceneFiles::waitForSaving()
 /// The scene's own file, or one beside the last file; never among the program's examples.
 QString SceneFiles::proposedPath() const
 {
-    const QString name
-        = m_path.isEmpty() ? QStringLiteral("scene.json") : QFileInfo(m_path).fileName();
+    const QString name = m_path.isEmpty() ? u"scene.json"_s : QFileInfo(m_path).fileName();
     const QString proposal = folder() + u'/' + name;
     if (!isExample(proposal))
         return proposal;

@@ -56,7 +56,7 @@ bool StudentPictureFiles::accepts(const QMimeData &data)
 void StudentPictureFiles::open()
 {
     QFileDialog dialog(m_window, tr("Open a Student's Picture"), m_folder);
-    dialog.setObjectName(QStringLiteral("studentPictureDialog"));
+    dialog.setObjectName(u"studentPictureDialog"_s);
     dialog.setFileMode(QFileDialog::ExistingFile);
     dialog.setNameFilters(
         {tr("Pictures and rasters (*.png *.ppm *.pgm *.pbm *.bmp *.txt)"), tr("All files (*)")});

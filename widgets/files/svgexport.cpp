@@ -112,7 +112,7 @@ void drawTriangles(QPainter &painter, FramePainter &frame, const Playhead &playh
             inside += mapping.positionOf(vertex.position) / 3;
         }
         for (std::size_t rank = 0; isNamed && rank < 3; ++rank)
-            frame.drawVertexName(QStringLiteral("P%1").arg(rank),
+            frame.drawVertexName(u"P%1"_s.arg(rank),
                                  vertices[std::size_t(setUp.order[rank])].position, inside);
     }
     painter.setBrush(Qt::NoBrush);
@@ -132,7 +132,7 @@ void drawShapes(FramePainter &frame, const Playhead &playhead, const ViewMapping
         }
         const bool isNamed = primitives.triangles.size() + index == (step ? step->primitive : 0);
         for (std::size_t i = 0; isNamed && i < std::min(vertices.size(), mostVertexNames); ++i)
-            frame.drawVertexName(QStringLiteral("P%1").arg(i), vertices[i].position, inside);
+            frame.drawVertexName(u"P%1"_s.arg(i), vertices[i].position, inside);
     }
 }
 
@@ -171,7 +171,7 @@ QByteArray svgFigure(const Playhead &playhead, const DisplayOptions &options,
     generator.setOutputDevice(&buffer);
     generator.setSize(layout.size);
     generator.setViewBox(QRect(QPoint(0, 0), layout.size));
-    generator.setTitle(QStringLiteral("Pixelplumb"));
+    generator.setTitle(u"Pixelplumb"_s);
     generator.setDescription(caption);
     QPainter painter(&generator);
     painter.setFont(font);

@@ -31,7 +31,8 @@ void ColumnTable::createActions()
     // All others have room in a small window.
     for (QAction *action : std::as_const(m_groupActions))
         action->setChecked(action != m_groupActions[int(NumberGroup::EdgeColours)]);
-    m_exactAction = addToggle("showExact", tr("Exact"), tr("Show the exact number beside each"));
+    m_exactAction = addToggle("showExact", tr("Exact"),
+                              tr("Show beside each what the same run gives in exact numbers"));
     m_errorAction = addToggle("showError", tr("Error"), tr("Show used minus exact beside each"));
     for (QAction *action : std::as_const(m_columnActions))
         connect(action, &QAction::toggled, this, &ColumnTable::showChosenColumns);

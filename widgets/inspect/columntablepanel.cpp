@@ -23,7 +23,7 @@ ColumnTablePanel::ColumnTablePanel(Playhead *playhead, QWidget *parent)
     , m_table(new ColumnTable(playhead, this))
     , m_summary(new ElidedLabel(this))
 {
-    setObjectName(QStringLiteral("columnTablePanel"));
+    setObjectName(u"columnTablePanel"_s);
     auto *switches = withParts(new QHBoxLayout, {}, 4);
     switches->setContentsMargins(8, 0, 8, 0);
     for (QAction *action : m_table->columnActions()) {
@@ -31,7 +31,7 @@ ColumnTablePanel::ColumnTablePanel(Playhead *playhead, QWidget *parent)
         button->setDefaultAction(action);
         button->setAutoRaise(true);
         button->setToolButtonStyle(Qt::ToolButtonTextOnly);
-        button->setObjectName(action->objectName() + QStringLiteral("Button"));
+        button->setObjectName(action->objectName() + u"Button"_s);
         button->setAccessibleName(action->toolTip());
         connect(action, &QAction::visibleChanged, button, // a group that the method lacks
                 [button, action] { button->setVisible(action->isVisible()); });
@@ -41,7 +41,7 @@ ColumnTablePanel::ColumnTablePanel(Playhead *playhead, QWidget *parent)
     }
     switches->addSpacing(8);
     addFilter(switches);
-    m_summary->setObjectName(QStringLiteral("columnTableSummary"));
+    m_summary->setObjectName(u"columnTableSummary"_s);
     m_summary->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
     switches->addWidget(m_summary, 1);
 
@@ -115,11 +115,11 @@ void ColumnTablePanel::describe()
     if (m_table->shownRows() != int(trace.spanCount()))
         text = tr("%1 of %2").arg(m_table->shownRows()).arg(text);
     if (trace.primitiveCount() > 1)
-        text += QStringLiteral(" · ") + tr("%n primitives", nullptr, int(trace.primitiveCount()));
+        text += u" · "_s + tr("%n primitives", nullptr, int(trace.primitiveCount()));
     if (trace.isCut())
-        text += QStringLiteral(" · ") + tr("recording ended at its limit");
+        text += u" · "_s + tr("recording ended at its limit");
     if (m_playhead->isAheadHidden())
-        text = tr("? hidden by Predict") + QStringLiteral(" · ") + text;
+        text = tr("? hidden by Predict") + u" · "_s + text;
     m_summary->setWholeText(text);
 }
 

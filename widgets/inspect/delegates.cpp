@@ -95,7 +95,7 @@ void drawAttempt(LinePainter &line, const QModelIndex &index)
     line.skip(partGap);
     if (after.isValid()) {
         line.drawColour(used.data(PixelHistoryModel::BeforeColourRole).value<QColor>());
-        line.drawText(QStringLiteral(" → "));
+        line.drawText(u" → "_s);
         line.drawColour(after.value<QColor>());
     } else {
         line.drawText(used.data().toString());

@@ -76,14 +76,14 @@ FormulaPanel::FormulaPanel(Playhead *playhead, QWidget *parent)
     named(this, "formulaPanel", tr("Formulas of the current step"));
     const auto selectable = Qt::TextSelectableByMouse | Qt::TextSelectableByKeyboard;
 
-    m_heading->setObjectName(QStringLiteral("formulaHeading"));
+    m_heading->setObjectName(u"formulaHeading"_s);
     m_heading->setTextFormat(Qt::RichText);
     m_heading->setMargin(4);
     m_heading->setAutoFillBackground(true);
     m_heading->setTextInteractionFlags(selectable);
     m_heading->setMinimumWidth(1); // a long heading must not widen the window
 
-    m_sentence->setObjectName(QStringLiteral("formulaSentence"));
+    m_sentence->setObjectName(u"formulaSentence"_s);
     m_sentence->setTextFormat(Qt::RichText);
     m_sentence->setWordWrap(true);
     m_sentence->setAlignment(Qt::AlignTop | Qt::AlignLeft);
@@ -139,12 +139,10 @@ void FormulaPanel::present(const Explanation &explanation)
                                 blended(palette().color(QPalette::Window),
                                         signColour(Sign::CurrentColumn, palette()), bannerTint));
     m_heading->setPalette(headingPalette);
-    const QString heading = coreWords(explanation.heading, QStringLiteral(": "));
-    m_heading->setText(QStringLiteral("<b>%1</b>%2")
-                           .arg(typesetHtml(heading),
-                                explanation.event.isEmpty() ? QString()
-                                                            : QStringLiteral(" &nbsp;⚑ ")
-                                        + typesetHtml(explanation.event)));
+    const QString heading = coreWords(explanation.heading, u": "_s);
+    m_heading->setText(u"<b>%1</b>%2"_s.arg(
+        typesetHtml(heading),
+        explanation.event.isEmpty() ? QString() : u" &nbsp;⚑ "_s + typesetHtml(explanation.event)));
     m_sentence->setText(typesetHtml(explanation.sentence));
 
     const int scrolled = m_formulas->verticalScrollBar()->value();
@@ -153,7 +151,7 @@ void FormulaPanel::present(const Explanation &explanation)
         stagesHtml(explanation, arithmetic(), palette())
         + formulaHtml(explanation, arithmetic(), palette(), symbolsIn(*m_formulas)));
     m_formulas->verticalScrollBar()->setValue(scrolled);
-    setAccessibleDescription(heading + QStringLiteral(". ") + explanation.sentence + u'\n'
+    setAccessibleDescription(heading + u". "_s + explanation.sentence + u'\n'
                              + formulaText(explanation, arithmetic()));
     fitScrollBar();
     if (!isScrolledTo(explanation))

@@ -21,17 +21,17 @@ namespace {
 constexpr int indentation = 20; // logical pixels per level
 constexpr float lineTint = 0.18F;
 constexpr int roomAround = 8; // logical pixels around the current lines after scrolling
-const QString lineMark = QStringLiteral("▶");
+const QString lineMark = u"▶"_s;
 
 /// A row of the table of lines: the mark, then the text.
 QString lineHtml(const PseudocodeLine &line, bool isCurrent, const QColor &tint)
 {
-    return QStringLiteral("<tr%1><td width=16 align=center>%2</td><td style=\"padding-left:%3px\">"
-                          "%4</td></tr>")
-        .arg(isCurrent ? QStringLiteral(" bgcolor=\"%1\"").arg(tint.name()) : QString(),
-             isCurrent ? lineMark : QString())
-        .arg(indentation * line.depth + 4)
-        .arg(typesetHtml(line.text));
+    return u"<tr%1><td width=16 align=center>%2</td><td style=\"padding-left:%3px\">"
+           "%4</td></tr>"_s
+               .arg(isCurrent ? u" bgcolor=\"%1\""_s.arg(tint.name()) : QString(),
+                    isCurrent ? lineMark : QString())
+               .arg(indentation * line.depth + 4)
+               .arg(typesetHtml(line.text));
 }
 
 /// Where the run departs from the method, and how that changes the picture.
@@ -41,10 +41,9 @@ QString variantsHtml(VariantSet variants, SpanAxis axis)
     const auto text = [](std::string_view part) { return typesetHtml(nameText(part)); };
     for (const Variant variant : variantsIn(variants)) {
         const VariantWords &words = wordsOf(variant, axis);
-        html
-            += QStringLiteral("<p>%1 <b>%2</b>: %3 %4 %5. %6</p>")
-                   .arg(MethodPanel::tr("With the variant"), text(words.title), text(words.printed),
-                        MethodPanel::tr("in place of"), text(words.right), text(words.fault));
+        html += u"<p>%1 <b>%2</b>: %3 %4 %5. %6</p>"_s.arg(
+            MethodPanel::tr("With the variant"), text(words.title), text(words.printed),
+            MethodPanel::tr("in place of"), text(words.right), text(words.fault));
     }
     return html;
 }
@@ -103,15 +102,14 @@ void MethodPanel::present()
     }
     const Method &method = *traced->method;
     const int scrolled = m_text->verticalScrollBar()->value();
-    m_text->setHtml(QStringLiteral("<p><b>%1</b><br>%2</p>%3<table cellspacing=0 cellpadding=2 "
-                                   "width=\"100%\">%4</table><p><small>%5</small></p>")
-                        .arg(methodTitle(method).toHtmlEscaped(),
-                             typesetHtml(methodSummary(method)),
-                             variantsHtml(traced->scene.settings.variants, method.spanAxis), rows,
-                             tr("From: %1.").arg(method.source).toHtmlEscaped()));
+    m_text->setHtml(u"<p><b>%1</b><br>%2</p>%3<table cellspacing=0 cellpadding=2 "
+                    "width=\"100%\">%4</table><p><small>%5</small></p>"_s.arg(
+                        methodTitle(method).toHtmlEscaped(), typesetHtml(methodSummary(method)),
+                        variantsHtml(traced->scene.settings.variants, method.spanAxis), rows,
+                        tr("From: %1.").arg(method.source).toHtmlEscaped()));
     m_text->verticalScrollBar()->setValue(scrolled);
     showCurrentLines();
-    setAccessibleDescription(current.join(QStringLiteral("; ")));
+    setAccessibleDescription(current.join(u"; "_s));
 }
 
 /// Scrolls as little as possible: to all current lines, or to as many as fit, from the first.

@@ -254,8 +254,7 @@ QString PixelGrid::describe(const QPoint &pixel) const
     lines.append(tr("exact levels in triangle %1:").arg(*triangle));
     for (std::size_t channel = 0; channel < levels.size(); ++channel) {
         const Quantity &level = levels[channel];
-        lines.append(QStringLiteral("%1 = %2 %3")
-                         .arg(channelLetters[channel])
+        lines.append(u"%1 = %2 %3"_s.arg(channelLetters[channel])
                          .arg(displayText(level), decimalBeside(level))
                          .trimmed());
     }

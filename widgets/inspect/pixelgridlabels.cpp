@@ -21,8 +21,8 @@ constexpr double leastGrid = 150; // below this, labels give way to cells
 
 constexpr double armLength = 0.3; // of a bracket, as a share of the cell
 
-const QString upward = QStringLiteral("↑");
-const QString downward = QStringLiteral("↓");
+const QString upward = u"↑"_s;
+const QString downward = u"↓"_s;
 
 /// A label beside the cells at the height of its object.
 struct SpanLabel {
@@ -179,8 +179,7 @@ void PixelGridPainter::paintSpanLabels()
     const auto add = [&](const QString &symbol, const QString &value, double along, Sign sign) {
         // All labels of a row are at the row.
         const double y = isRow ? double(span.place.coordinate) : along;
-        SpanLabel label{symbol + QStringLiteral(" = "), value, m_mapping.positionOf(0, y).y(), 0,
-                        sign};
+        SpanLabel label{symbol + u" = "_s, value, m_mapping.positionOf(0, y).y(), 0, sign};
         if (label.wish < grid.top())
             label.value += u' ' + upward;
         else if (label.wish > grid.top() + grid.height())
@@ -189,16 +188,15 @@ void PixelGridPainter::paintSpanLabels()
         labels.push_back(label);
     };
     const auto numberText = [&](const Quantity &quantity) {
-        const QString mark
-            = m_scene.areBoundsExact ? coreWord(QStringLiteral("exact")) + u'\u00a0' : QString();
+        const QString mark = m_scene.areBoundsExact ? coreWord(u"exact"_s) + u'\u00a0' : QString();
         QString text = mark
             + (mark.isEmpty() ? displayText(quantity, m_scene.arithmetic) : displayText(quantity));
         text.replace(QChar(0x2009), QChar(0x00a0)); // at this size a thin space is not noticed
-        const double width = metrics.horizontalAdvance(text + QStringLiteral(" y_T = ↑"));
+        const double width = metrics.horizontalAdvance(text + u" y_T = ↑"_s);
         return width <= room - 14 ? text : mark + shortDecimal(quantity, 4);
     };
-    const QString lower = isRow ? QStringLiteral("x_L") : QStringLiteral("y_B");
-    const QString upper = isRow ? QStringLiteral("x_R") : QStringLiteral("y_T");
+    const QString lower = isRow ? u"x_L"_s : u"y_B"_s;
+    const QString upper = isRow ? u"x_R"_s : u"y_T"_s;
     add(lower, numberText(span.lower), span.lower.toDouble(), Sign::LowerEdge);
     add(upper, numberText(span.upper), span.upper.toDouble(), Sign::UpperEdge);
     const auto &[first, last] = m_scene.roundings;

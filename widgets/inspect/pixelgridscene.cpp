@@ -60,21 +60,20 @@ std::array<QString, 2> roundingsOf(const TracedScene &traced, std::size_t index)
     const SpanRecord span = traced.trace->span(index);
     const bool isRow = span.place.axis == SpanAxis::Row;
     if (traced.antialiasing() == Antialiasing::Area)
-        return isRow ? std::array{QStringLiteral("x_first"), QStringLiteral("x_last")}
-                     : std::array{QStringLiteral("y_first"), QStringLiteral("y_last")};
+        return isRow ? std::array{u"x_first"_s, u"x_last"_s}
+                     : std::array{u"y_first"_s, u"y_last"_s};
     const std::vector<NumberDescription> numbers = traced.trace->spanWords(index).numbers;
-    std::array<QString, 2> roundings = {headingOf(numbers, QStringLiteral("first_")),
-                                        headingOf(numbers, QStringLiteral("last_"))};
+    std::array<QString, 2> roundings
+        = {headingOf(numbers, u"first_"_s), headingOf(numbers, u"last_"_s)};
     if (!roundings[0].isEmpty() && !roundings[1].isEmpty())
         return roundings;
     // An edge to which the rule gives its samples is rounded otherwise than one that loses them.
     const FillRule rule = traced.scene.settings.fillRule;
     const bool ownsFirst = rule != FillRule::Open && span.firstSample == ceilingOf(span.lower);
     const bool ownsLast = rule == FillRule::Closed || span.endSample != ceilingOf(span.upper);
-    roundings = {ownsFirst ? QStringLiteral("⌈%1⌉") : QStringLiteral("⌊%1⌋+1"),
-                 ownsLast ? QStringLiteral("⌊%1⌋") : QStringLiteral("⌈%1⌉−1")};
-    return {roundings[0].arg(isRow ? QStringLiteral("x_L") : QStringLiteral("y_B")),
-            roundings[1].arg(isRow ? QStringLiteral("x_R") : QStringLiteral("y_T"))};
+    roundings = {ownsFirst ? u"⌈%1⌉"_s : u"⌊%1⌋+1"_s, ownsLast ? u"⌊%1⌋"_s : u"⌈%1⌉−1"_s};
+    return {roundings[0].arg(isRow ? u"x_L"_s : u"y_B"_s),
+            roundings[1].arg(isRow ? u"x_R"_s : u"y_T"_s)};
 }
 
 class CellMaker {

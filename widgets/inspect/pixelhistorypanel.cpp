@@ -29,8 +29,7 @@ QToolButton *runButton(const char *name, const QString &text, const QString &too
 QString swatchHtml(QRgb colour)
 {
     const QString name = QColor::fromRgb(colour).name();
-    return QStringLiteral("<span style='background-color:%1'>&nbsp;&nbsp;&nbsp;&nbsp;</span> %1")
-        .arg(name);
+    return u"<span style='background-color:%1'>&nbsp;&nbsp;&nbsp;&nbsp;</span> %1"_s.arg(name);
 }
 
 } // namespace
@@ -46,16 +45,16 @@ PixelHistoryPanel::PixelHistoryPanel(Playhead *playhead, QWidget *parent)
 {
     named(this, "pixelHistory", tr("History of the picked pixel"));
 
-    m_heading->setObjectName(QStringLiteral("pixelHistoryHeading"));
+    m_heading->setObjectName(u"pixelHistoryHeading"_s);
     m_heading->setTextFormat(Qt::RichText);
     m_heading->setTextInteractionFlags(Qt::TextSelectableByMouse | Qt::TextSelectableByKeyboard);
     m_heading->setMinimumWidth(1); // a long heading must not widen the window
-    m_reason->setObjectName(QStringLiteral("pixelHistoryReason"));
+    m_reason->setObjectName(u"pixelHistoryReason"_s);
     m_reason->setTextFormat(Qt::RichText);
     m_reason->setWordWrap(true);
     m_reason->setAlignment(Qt::AlignTop | Qt::AlignLeft);
     m_reason->setTextInteractionFlags(Qt::TextSelectableByMouse | Qt::TextSelectableByKeyboard);
-    m_reasonArea->setObjectName(QStringLiteral("pixelHistoryReasonArea"));
+    m_reasonArea->setObjectName(u"pixelHistoryReasonArea"_s);
     m_reasonArea->setFrameShape(QFrame::NoFrame);
     m_reasonArea->setFocusPolicy(Qt::NoFocus); // its text takes the focus
     m_reasonArea->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
@@ -200,8 +199,7 @@ void PixelHistoryPanel::describePixel()
         return;
     }
     const QRgb truth = *traced->truth.view().at(pixel->x(), pixel->y());
-    QString text = QStringLiteral("<b>(%1, %2)</b> &nbsp;%3 &nbsp;")
-                       .arg(pixel->x())
+    QString text = u"<b>(%1, %2)</b> &nbsp;%3 &nbsp;"_s.arg(pixel->x())
                        .arg(pixel->y())
                        .arg(swatchHtml(*frame.at(pixel->x(), pixel->y())));
     if (m_model->isSomethingHidden()) {
@@ -213,8 +211,8 @@ void PixelHistoryPanel::describePixel()
     text += tr("truth %1").arg(swatchHtml(truth));
     if (isDecided && difference != Difference::None) {
         const Sign sign = signOf(difference);
-        text += QStringLiteral(" <b style='color:%1'>%2</b>")
-                    .arg(signColour(sign, palette()).name(), signGlyph(sign));
+        text += u" <b style='color:%1'>%2</b>"_s.arg(signColour(sign, palette()).name(),
+                                                     signGlyph(sign));
     }
     m_heading->setText(text);
 }

@@ -24,8 +24,7 @@ struct PredictWords {
 /// value, which is asked for itself. The formula, where nothing is rounded.
 QString meaningOf(const QString &rule)
 {
-    static const QRegularExpression brackets(
-        QStringLiteral("^[^=]+ = (([⌈⌊])(.+?)( \\+ ½)?[⌉⌋]( [−+] 1)?)$"));
+    static const QRegularExpression brackets(u"^[^=]+ = (([⌈⌊])(.+?)( \\+ ½)?[⌉⌋]( [−+] 1)?)$"_s);
     const QRegularExpressionMatch parts = brackets.match(rule);
     if (!isRounding(rule) || !parts.hasMatch())
         return rule;
@@ -33,11 +32,11 @@ QString meaningOf(const QString &rule)
     const QString number = parts.captured(3);
     if (!parts.captured(4).isEmpty())
         return PredictWords::tr("%1 is the whole number nearest to %2").arg(rounded, number);
-    if (parts.captured(5) == QStringLiteral(" − 1"))
+    if (parts.captured(5) == u" − 1"_s)
         return PredictWords::tr("%1 is the last whole number below %2").arg(rounded, number);
-    if (parts.captured(5) == QStringLiteral(" + 1"))
+    if (parts.captured(5) == u" + 1"_s)
         return PredictWords::tr("%1 is the first whole number above %2").arg(rounded, number);
-    return parts.captured(2) == QStringLiteral("⌈")
+    return parts.captured(2) == u"⌈"_s
         ? PredictWords::tr("%1 is the first whole number not below %2").arg(rounded, number)
         : PredictWords::tr("%1 is the last whole number not above %2").arg(rounded, number);
 }
@@ -45,7 +44,7 @@ QString meaningOf(const QString &rule)
 /// Whether the number is the previous span's plus something: "y_B ← y_B′ + m₀₂".
 bool isStepped(const Prediction &prediction)
 {
-    return prediction.rule.contains(prediction.title + QStringLiteral("′ "));
+    return prediction.rule.contains(prediction.title + u"′ "_s);
 }
 
 constexpr std::size_t mostScenesSeen = 16; ///< of edits that are undone and redone
@@ -69,8 +68,7 @@ QString verdictText(const Prediction &prediction, Guess guess)
     case Guess::RoundedDown:
         return PredictWords::tr("That is %1, the whole number next to it. The question asks for %2 "
                                 "itself: a fraction, or a decimal rounded to %3 places or more.")
-            .arg((guess == Guess::RoundedUp ? QStringLiteral("⌈%1⌉") : QStringLiteral("⌊%1⌋"))
-                     .arg(prediction.title),
+            .arg((guess == Guess::RoundedUp ? u"⌈%1⌉"_s : u"⌊%1⌋"_s).arg(prediction.title),
                  prediction.title)
             .arg(leastPlaces);
     case Guess::Unrounded:

@@ -239,7 +239,7 @@ void PredictPanel::count(bool isRight)
 {
     const Place asked = place();
     const QString question
-        = QStringLiteral("%1 %2 %3").arg(asked.run).arg(asked.step).arg(m_choice->currentText());
+        = u"%1 %2 %3"_s.arg(asked.run).arg(asked.step).arg(m_choice->currentText());
     if (hasBeenSeen() || m_asked.contains(question))
         return;
     m_asked.insert(question);

@@ -29,14 +29,14 @@ PrimitivesPanel::PrimitivesPanel(SceneDocument *document, QWidget *parent)
     , m_tree(new PrimitivesTree(this))
     , m_summary(new QLabel(this))
 {
-    setObjectName(QStringLiteral("primitives"));
+    setObjectName(u"primitives"_s);
     named(m_tree, "primitivesTree", tr("Primitives in drawing order"));
     m_tree->setModel(m_model);
     m_tree->setItemDelegate(new VertexDelegate(document, m_tree));
     m_tree->setUniformRowHeights(true);
     m_tree->setAllColumnsShowFocus(false);
     fitColumns();
-    m_summary->setObjectName(QStringLiteral("primitivesSummary"));
+    m_summary->setObjectName(u"primitivesSummary"_s);
     m_summary->setWordWrap(true);
 
     auto *row = new QHBoxLayout;
@@ -81,14 +81,14 @@ void PrimitivesPanel::fitColumns()
         const int text = m_tree->fontMetrics().horizontalAdvance(widest) + beside + 2 * cellMargin;
         header->resizeSection(column, std::max(text, header->sectionSizeHint(column)));
     };
-    fit(PrimitiveListModel::Place, QStringLiteral("00"), 0);
-    fit(PrimitiveListModel::ColourText, QStringLiteral("#dddddd"),
+    fit(PrimitiveListModel::Place, u"00"_s, 0);
+    fit(PrimitiveListModel::ColourText, u"#dddddd"_s,
         style()->pixelMetric(QStyle::PM_SmallIconSize) + cellMargin);
     const int room = m_tree->viewport()->width() - nameWidth
         - header->sectionSize(PrimitiveListModel::Place) // hidden: 0
         - header->sectionSize(PrimitiveListModel::ColourText);
     for (const int column : {PrimitiveListModel::X, PrimitiveListModel::Y}) {
-        fit(column, QStringLiteral("000.0"), 0);
+        fit(column, u"000.0"_s, 0);
         const int least = header->sectionSize(column);
         const int asked = static_cast<QAbstractItemView *>(m_tree)->sizeHintForColumn(column);
         header->resizeSection(column, std::clamp(asked, least, std::max(least, room / 2)));

@@ -101,7 +101,7 @@ PrimitiveForms::PrimitiveForms(SceneDocument *document, QWidget *parent)
     : QMenu(parent)
     , m_document(document)
 {
-    setObjectName(QStringLiteral("primitiveForms"));
+    setObjectName(u"primitiveForms"_s);
 }
 
 void PrimitiveForms::offer(std::optional<int> primitive)

@@ -102,8 +102,7 @@ QSize RowMarkHeader::sizeHint() const
 {
     const auto *table = qobject_cast<const ColumnTableModel *>(model());
     const bool tellsPrimitives = table && table->hasSeveralPrimitives();
-    const QString widest
-        = tellsPrimitives ? QStringLiteral("▶ △ 000") : withoutMarkup(QStringLiteral("▶ L_00"));
+    const QString widest = tellsPrimitives ? u"▶ △ 000"_s : withoutMarkup(u"▶ L_00"_s);
     return {fontMetrics().horizontalAdvance(widest) + 2 * markPadding,
             QHeaderView::sizeHint().height()};
 }
@@ -121,7 +120,7 @@ void RowMarkHeader::paintSection(QPainter *painter, const QRect &rect, int secti
         painter->fillRect(rect.left(), rect.top(), barWidth, rect.height(), plumb);
         painter->setPen(plumb);
         painter->drawText(rect.adjusted(barWidth + 2, 0, 0, 0), Qt::AlignLeft | Qt::AlignVCenter,
-                          QStringLiteral("▶"));
+                          u"▶"_s);
     }
     painter->setPen(blended(palette().color(QPalette::WindowText), background, quietShare));
     painter->drawText(rect.adjusted(0, 0, -markPadding, 0), Qt::AlignRight | Qt::AlignVCenter,

@@ -33,7 +33,7 @@ AccuracyLab::AccuracyLab(Playhead *playhead, QWidget *parent)
     , m_lastLine(new QStackedWidget(this))
 {
     named(this, "accuracyLab", tr("Accuracy lab"));
-    m_invitation->setObjectName(QStringLiteral("labInvitation"));
+    m_invitation->setObjectName(u"labInvitation"_s);
     m_invitation->setWordWrap(true);
     m_invitation->setAlignment(Qt::AlignTop | Qt::AlignLeft);
     named(m_warnings, "labWarnings", tr("Warnings"));
@@ -78,14 +78,14 @@ void AccuracyLab::connectControls()
             openResults(path);
     });
     connect(m_controls, &LabControls::saveRequested, this, [this] {
-        const QString path = m_files->askForOutput(
-            tr("Save the Results"), tr("Results of the lab (*.json)"), QStringLiteral("json"));
+        const QString path = m_files->askForOutput(tr("Save the Results"),
+                                                   tr("Results of the lab (*.json)"), u"json"_s);
         if (!path.isEmpty())
             m_files->writeResults(path, *results());
     });
     connect(m_controls, &LabControls::saveTableRequested, this, [this] {
-        const QString path = m_files->askForOutput(tr("Save the Table"), tr("CSV tables (*.csv)"),
-                                                   QStringLiteral("csv"));
+        const QString path
+            = m_files->askForOutput(tr("Save the Table"), tr("CSV tables (*.csv)"), u"csv"_s);
         if (!path.isEmpty())
             m_files->writeTable(path, *results());
     });
@@ -177,9 +177,9 @@ void AccuracyLab::showState()
     else if (results() && !m_shown.areOfRun())
         warnings = {tr("Results before this run, until it has times of this family.")};
     m_warnings->setVisible(!warnings.isEmpty());
-    m_warnings->setWholeText(QStringLiteral("⚠ ") + warnings.join(QStringLiteral(" ⚠ ")));
+    m_warnings->setWholeText(u"⚠ "_s + warnings.join(u" ⚠ "_s));
     if (results())
-        m_conditions->setWholeText(originOf(*results()).join(QStringLiteral(" · ")));
+        m_conditions->setWholeText(originOf(*results()).join(u" · "_s));
     if (hadCharts != m_charts->isVisibleTo(this)) {
         updateGeometry();
         emit neededHeightChanged();
@@ -204,9 +204,8 @@ void AccuracyLab::saveChart()
         emit complaint(tr("A table stands in front: choose the tab of a chart."));
         return;
     }
-    const QString path = m_files->askForOutput(tr("Save the Chart"),
-                                               tr("SVG drawings (*.svg);;PNG pictures (*.png)"),
-                                               QStringLiteral("svg"));
+    const QString path = m_files->askForOutput(
+        tr("Save the Chart"), tr("SVG drawings (*.svg);;PNG pictures (*.png)"), u"svg"_s);
     if (!path.isEmpty())
         m_files->writeChart(path, *chart, *results());
 }

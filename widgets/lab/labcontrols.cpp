@@ -153,7 +153,7 @@ void LabControls::tellProgress()
     const TimeLeft &left = m_run->timeLeft();
     m_progress->setRange(0, progressSteps);
     m_progress->setValue(int(left.share() * progressSteps));
-    const QString text = coreWords(left.text(), QStringLiteral(": "));
+    const QString text = coreWords(left.text(), u": "_s);
     m_progress->setFormat(text);
     m_progress->setToolTip(text);
 }

@@ -31,7 +31,7 @@ bool LabFiles::writeTable(const QString &path, const Study &study)
 bool LabFiles::writeChart(const QString &path, LabPlot &chart, const Study &study)
 {
     const QStringList origin = figureOrigin(study);
-    const bool isPicture = path.endsWith(QStringLiteral(".png"), Qt::CaseInsensitive);
+    const bool isPicture = path.endsWith(u".png"_s, Qt::CaseInsensitive);
     return write(path, isPicture ? chart.png(origin) : chart.svg(origin));
 }
 
@@ -65,17 +65,17 @@ QString LabFiles::askForOutput(const QString &title, const QString &filter,
                                const QString &suffix) const
 {
     QFileDialog dialog(m_window, title, {}, filter);
-    dialog.setObjectName(QStringLiteral("labSaveDialog"));
+    dialog.setObjectName(u"labSaveDialog"_s);
     dialog.setAcceptMode(QFileDialog::AcceptSave);
     dialog.setDefaultSuffix(suffix);
-    dialog.selectFile(QStringLiteral("lab.") + suffix);
+    dialog.selectFile(u"lab."_s + suffix);
     return dialog.exec() == QDialog::Accepted ? dialog.selectedFiles().constFirst() : QString();
 }
 
 QString LabFiles::askForInput(const QString &title) const
 {
     QFileDialog dialog(m_window, title, {}, tr("Results of the lab (*.json);;All files (*)"));
-    dialog.setObjectName(QStringLiteral("labOpenDialog"));
+    dialog.setObjectName(u"labOpenDialog"_s);
     dialog.setFileMode(QFileDialog::ExistingFile);
     return dialog.exec() == QDialog::Accepted ? dialog.selectedFiles().constFirst() : QString();
 }

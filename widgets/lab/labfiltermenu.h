@@ -15,7 +15,7 @@ namespace pixelplumb {
 /// The contenders left out of charts and table: by the names of arithmetics and kernels, by the ids
 /// of methods; the straight loops by `straightLoops`.
 struct LabFilter {
-    static inline const QString straightLoops = QStringLiteral("straight");
+    static inline const QString straightLoops = u"straight"_s;
     std::set<QString> leftOut;
 
     /// By the contender's id.

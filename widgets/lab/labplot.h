@@ -67,7 +67,7 @@ protected:
     /// Gives a logarithmic axis the range from `low` to `high`, both above 0, with as many numbers
     /// as there is room for; each replaces %1.
     void setLogRange(QCPAxis *axis, double low, double high,
-                     const QString &pattern = QStringLiteral("%1")) const;
+                     const QString &pattern = u"%1"_s) const;
 
 private:
     void fitLegend();

@@ -39,7 +39,7 @@ QString figureText(double value)
 {
     // Three significant digits, so that points align; two for small numbers.
     if (value == 0)
-        return QStringLiteral("0");
+        return u"0"_s;
     if (value >= 100)
         return QString::number(value, 'f', 0);
     return value >= 0.1 ? QString::number(value, 'f', value >= 10 ? 1 : 2)
@@ -48,8 +48,8 @@ QString figureText(double value)
 
 QString spreadText(const Spread &spread)
 {
-    return QStringLiteral("%1 (%2 … %3)")
-        .arg(figureText(spread.median), figureText(spread.lower), figureText(spread.upper));
+    return u"%1 (%2 … %3)"_s.arg(figureText(spread.median), figureText(spread.lower),
+                                 figureText(spread.upper));
 }
 
 QString wrongText(const AccuracyFigures &figures)
@@ -74,7 +74,7 @@ namespace {
 /// The point's name, its errors, and what is known about a zero.
 QStringList errorLines(const Study &study, const ParetoPoint &point, const LabRow *row)
 {
-    QStringList lines = {QStringLiteral("<b>%1</b>").arg(point.label.toHtmlEscaped())};
+    QStringList lines = {u"<b>%1</b>"_s.arg(point.label.toHtmlEscaped())};
     if (row && row->accuracy)
         lines.append(wrongText(*row->accuracy));
     const StudyContender *contender = study.contender(point.contender);
@@ -104,7 +104,7 @@ QString joinedLines(QStringList lines, const LabRow *row)
                         "in Compare; unsaved changes are asked about first")
                 .arg(row->firstMiss->x)
                 .arg(row->firstMiss->y));
-    return lines.join(QStringLiteral("<br>"));
+    return lines.join(u"<br>"_s);
 }
 
 } // namespace
@@ -176,10 +176,10 @@ QString errorLabel(const ErrorAxis &axis, LabelLength length)
 {
     const QString unit = coreWord(std::string_view(axis.unit));
     const QString title = coreWord(std::string_view(axis.title));
-    if (unit == QStringLiteral("ppm"))
+    if (unit == u"ppm"_s)
         return length == LabelLength::Short ? LabText::tr("of a million")
                                             : LabText::tr("%1 of a million").arg(title);
-    return length == LabelLength::Short ? unit : QStringLiteral("%1, %2").arg(title, unit);
+    return length == LabelLength::Short ? unit : u"%1, %2"_s.arg(title, unit);
 }
 
 QString plainText(const QString &html)
@@ -191,9 +191,9 @@ QString pointLabel(const ParetoPoint &point)
 {
     QString text = point.label;
     if (point.isReference())
-        text += QStringLiteral(" ×1");
+        text += u" ×1"_s;
     if (point.missesStraight)
-        text += QStringLiteral(" ! ×%1").arg(figureText(*point.missesStraight));
+        text += u" ! ×%1"_s.arg(figureText(*point.missesStraight));
     return text;
 }
 
@@ -226,7 +226,7 @@ QStringList figureOrigin(const Study &study)
     QStringList lines = originOf(study);
     lines.removeAll(QString());
     for (const QString &warning : warningsOf(study))
-        lines.append(QStringLiteral("⚠ ") + warning);
+        lines.append(u"⚠ "_s + warning);
     return lines;
 }
 
@@ -239,7 +239,7 @@ QString priceText(const Study &study, const QString &family)
         = [](const AccuracyFigures &figures) { return figureText(figures.wrongPerMillion()); };
     QStringList prices;
     for (const Arithmetic arithmetic : allArithmetics) {
-        const QString id = QStringLiteral("column-scan:") + nameText(nameOf(arithmetic));
+        const QString id = u"column-scan:"_s + nameText(nameOf(arithmetic));
         const LabRow *row = study.row(id, family);
         if (row == reference || !row || !row->accuracy || !study.perPixel(*row))
             continue;
@@ -251,7 +251,7 @@ QString priceText(const Study &study, const QString &family)
     if (prices.isEmpty())
         return {};
     return LabText::tr("Column scan beside float32 (%1 wrong of a million): %2.")
-        .arg(wrongOf(*reference->accuracy), prices.join(QStringLiteral("; ")));
+        .arg(wrongOf(*reference->accuracy), prices.join(u"; "_s));
 }
 
 QString invitationText(StudyExtent extent, double seconds)

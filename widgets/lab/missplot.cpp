@@ -84,7 +84,7 @@ void MissPlot::build()
                               "outside"));
     up->setLabel(tr("samples"));
     const QSharedPointer<QCPAxisTickerText> ticker(new QCPAxisTickerText);
-    ticker->addTick(0, QStringLiteral("="));
+    ticker->addTick(0, u"="_s);
     // A tick marks the bin's nearer end, between two bars.
     const int stride = width() < narrow ? 4 : width() < wide ? 3 : 2;
     for (int exponent = -7; exponent <= 2; exponent += stride) {
@@ -144,7 +144,7 @@ QString MissPlot::textAt(const QPointF &position) const
     const double place = plot()->xAxis->pixelToCoord(position.x());
     for (const Bar &bar : m_bars) {
         if (std::abs(bar.place - place) <= barWidth / 2 && bar.count > 0)
-            return QStringLiteral("%1: %2").arg(bar.meaning).arg(bar.count);
+            return u"%1: %2"_s.arg(bar.meaning).arg(bar.count);
     }
     return {};
 }

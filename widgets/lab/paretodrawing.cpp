@@ -73,7 +73,7 @@ void ParetoPlot::setAxes()
     if (!m_chart.untimed.empty())
         low /= std::pow(high / low, waitingShare / (1 - waitingShare));
     // In a low chart the numbers carry their unit, and the axis label gives up its room.
-    setLogRange(plot()->xAxis, low, high, isLow() ? tr("%1 ns") : QStringLiteral("%1"));
+    setLogRange(plot()->xAxis, low, high, isLow() ? tr("%1 ns") : u"%1"_s);
     plot()->xAxis->setLabel(isLow()                      ? QString()
                                 : m_chart.points.empty() ? tr("cost, ns a pixel: not known yet")
                                                          : tr("cost, ns a pixel"));
@@ -81,8 +81,7 @@ void ParetoPlot::setAxes()
     QCPAxis *times = plot()->xAxis2;
     times->setVisible(reference && !isLow());
     if (times->visible()) {
-        setLogRange(times, low / reference->cost.median, high / reference->cost.median,
-                    QStringLiteral("×%1"));
+        setLogRange(times, low / reference->cost.median, high / reference->cost.median, u"×%1"_s);
         times->setLabel(tr("times the assignment's method (column scan, float32)"));
     }
 }

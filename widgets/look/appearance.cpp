@@ -11,6 +11,8 @@
 
 namespace pixelplumb {
 
+using namespace Qt::StringLiterals;
+
 namespace {
 
 constexpr float tintShare = 0.7F; // window colour in the highlight's tint: texts stay readable
@@ -92,7 +94,7 @@ bool desktopIsDark()
 } // namespace
 
 ToggleStyle::ToggleStyle()
-    : QProxyStyle(QStringLiteral("Fusion"))
+    : QProxyStyle(u"Fusion"_s)
 {
 }
 

@@ -10,6 +10,8 @@
 
 namespace pixelplumb {
 
+using namespace Qt::StringLiterals;
+
 namespace {
 
 // Logical pixels.
@@ -26,16 +28,12 @@ QFont withSize(QFont font, double size)
 }
 
 /// Equal in both notations, so that nothing moves when they are switched.
-double widestValue(const QFont &font)
-{
-    return QFontMetricsF(font).horizontalAdvance(QStringLiteral("000"));
-}
+double widestValue(const QFont &font) { return QFontMetricsF(font).horizontalAdvance(u"000"_s); }
 
 QString byteText(int byte, ByteNotation notation)
 {
-    return notation == ByteNotation::Decimal
-        ? QString::number(byte)
-        : QStringLiteral("%1").arg(byte, 2, 16, QLatin1Char('0'));
+    return notation == ByteNotation::Decimal ? QString::number(byte)
+                                             : u"%1"_s.arg(byte, 2, 16, QLatin1Char('0'));
 }
 
 } // namespace

@@ -83,19 +83,18 @@ QString translated(const QString &english)
 
 QString coreWord(const QString &english)
 {
-    static const QRegularExpression number(QStringLiteral("[-−]?\\b[0-9]+(\\.[0-9]+)?"));
+    static const QRegularExpression number(u"[-−]?\\b[0-9]+(\\.[0-9]+)?"_s);
     QStringList numbers;
     QString pattern;
     qsizetype end = 0;
     for (const QRegularExpressionMatch &match : number.globalMatch(english)) {
         numbers += match.captured();
-        pattern += english.mid(end, match.capturedStart() - end)
-            + QStringLiteral("%%1").arg(numbers.size());
+        pattern += english.mid(end, match.capturedStart() - end) + u"%%1"_s.arg(numbers.size());
         end = match.capturedEnd();
     }
     pattern += english.mid(end);
     QString word = translated(pattern);
-    const QString comma = QStringLiteral(", ");
+    const QString comma = u", "_s;
     if (word == pattern && english.contains(comma))
         return coreWords(english, comma); // "Column 27, second half"
     for (const QString &each : std::as_const(numbers))
@@ -126,10 +125,9 @@ Translation::Translation(const QStringList &languages)
     // English has a file too, so that a person who prefers it to German gets it.
     const auto loads = [this](const QString &language) { return load(language); };
     if (!std::ranges::any_of(languages, loads))
-        load(QStringLiteral("en"));
+        load(u"en"_s);
     // Qt's texts use the language of ours, not a less preferred one.
-    if (m_ofQt.load(QStringLiteral("qtbase_") + language(),
-                    QLibraryInfo::path(QLibraryInfo::TranslationsPath)))
+    if (m_ofQt.load(u"qtbase_"_s + language(), QLibraryInfo::path(QLibraryInfo::TranslationsPath)))
         QCoreApplication::installTranslator(&m_ofQt);
     QCoreApplication::installTranslator(&m_ours);
 }
@@ -137,8 +135,7 @@ Translation::Translation(const QStringList &languages)
 /// Without a file for the country the language's is loaded: QTranslator cuts at underscores.
 bool Translation::load(QString language)
 {
-    return m_ours.load(QStringLiteral("pixelplumb_") + language.replace(u'-', u'_'),
-                       QStringLiteral(":/i18n"));
+    return m_ours.load(u"pixelplumb_"_s + language.replace(u'-', u'_'), u":/i18n"_s);
 }
 
 } // namespace pixelplumb

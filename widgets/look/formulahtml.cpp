@@ -66,7 +66,7 @@ bool isCompared(const FormulaLine &line, Arithmetic arithmetic)
 /// Whether nothing was lost: the exact number then needs no line of its own.
 bool isSameAsExact(const FormulaLine &line)
 {
-    return displayError(line.used, line.exact) == QStringLiteral("0");
+    return displayError(line.used, line.exact) == u"0"_s;
 }
 
 /// The number used, underlined from the first digit that differs from the exact one.
@@ -77,16 +77,16 @@ QString usedHtml(const FormulaLine &line, Arithmetic arithmetic)
         ? -1
         : firstDifferingDigit(text, displayDecimal(line.exact, comparedPlaces));
     if (marked < 0)
-        return QStringLiteral("<b>%1</b>").arg(typesetHtml(text));
-    return QStringLiteral("<b>%1<u>%2</u></b>")
-        .arg(typesetHtml(text.left(marked)), typesetHtml(text.mid(marked)));
+        return u"<b>%1</b>"_s.arg(typesetHtml(text));
+    return u"<b>%1<u>%2</u></b>"_s.arg(typesetHtml(text.left(marked)),
+                                       typesetHtml(text.mid(marked)));
 }
 
 QString exactText(const FormulaLine &line)
 {
     QString text = FormulaHtml::tr("exact %1").arg(displayText(line.exact));
     if (!line.exact.isInteger() && line.exact.denominator() <= 999999)
-        text += QStringLiteral(" = ") + displayDecimal(line.exact);
+        text += u" = "_s + displayDecimal(line.exact);
     return text;
 }
 
@@ -112,16 +112,15 @@ public:
         m_bar = barColour(subject, m_palette).name();
         m_title = titleOf(subject);
         if (!m_html.isEmpty())
-            m_html += QStringLiteral("<tr><td colspan='5' style='font-size:3px'>&nbsp;</td></tr>");
+            m_html += u"<tr><td colspan='5' style='font-size:3px'>&nbsp;</td></tr>"_s;
     }
 
     /// Begins a stage with its heading.
     void begin(const StageFormulas &stage)
     {
         begin(NumberSubject::General);
-        const QString note = stage.note.isEmpty() ? QString() : QStringLiteral(": ") + stage.note;
-        row(wide(QStringLiteral("<b>%1</b>")
-                     .arg(typesetHtml(stage.stage + QStringLiteral(", ") + stage.point + note))));
+        const QString note = stage.note.isEmpty() ? QString() : u": "_s + stage.note;
+        row(wide(u"<b>%1</b>"_s.arg(typesetHtml(stage.stage + u", "_s + stage.point + note))));
     }
 
     void append(const FormulaLine &line)
@@ -130,7 +129,7 @@ public:
         const bool isGiven = line.substituted.isEmpty();
         const bool sharesLine = isGiven || line.subject != NumberSubject::General || isShort(line);
         if (sharesLine && !isGiven)
-            symbols += QStringLiteral(" &nbsp;") + quiet(equals(line));
+            symbols += u" &nbsp;"_s + quiet(equals(line));
         row(wide(symbols) + used(line));
         if (!sharesLine)
             row(wide(quiet(equals(line))));
@@ -146,8 +145,7 @@ public:
         if (!isBeside)
             row(wide(symbols));
         for (const FormulaLine *line : formula.lines) {
-            const QString channel = QStringLiteral("%1 &nbsp;%2")
-                                        .arg(channelOf(*line).value_or(QChar()))
+            const QString channel = u"%1 &nbsp;%2"_s.arg(channelOf(*line).value_or(QChar()))
                                         .arg(quiet(equals(*line)));
             row((isBeside ? beside(std::exchange(symbols, {}), channel) : wide(channel))
                 + used(*line));
@@ -157,8 +155,7 @@ public:
 
     QString html() const
     {
-        return QStringLiteral("<table width='100%' cellspacing='0' cellpadding='0'>%1</table>")
-            .arg(m_html);
+        return u"<table width='100%' cellspacing='0' cellpadding='0'>%1</table>"_s.arg(m_html);
     }
 
 private:
@@ -168,41 +165,38 @@ private:
         const QString title = std::exchange(m_title, QString());
         return title.isEmpty()
             ? title
-            : QStringLiteral("<span style='color:%1'><b>%2</b></span> &nbsp;").arg(m_bar, title);
+            : u"<span style='color:%1'><b>%2</b></span> &nbsp;"_s.arg(m_bar, title);
     }
 
     static QString equals(const FormulaLine &line)
     {
-        return QStringLiteral("= ") + typesetHtml(line.substituted);
+        return u"= "_s + typesetHtml(line.substituted);
     }
 
-    static QString wide(const QString &html)
-    {
-        return QStringLiteral("<td colspan='2'>%1</td>").arg(html);
-    }
+    static QString wide(const QString &html) { return u"<td colspan='2'>%1</td>"_s.arg(html); }
 
     /// Two cells; the first is as wide as its text.
     static QString beside(const QString &symbols, const QString &html)
     {
-        return QStringLiteral("<td width='1'>%1</td><td>%2</td>")
-            .arg(unbroken(symbols.isEmpty() ? symbols : symbols + QStringLiteral(" &nbsp;")), html);
+        return u"<td width='1'>%1</td><td>%2</td>"_s.arg(
+            unbroken(symbols.isEmpty() ? symbols : symbols + u" &nbsp;"_s), html);
     }
 
     static QString unbroken(const QString &html)
     {
-        return QStringLiteral("<p style='white-space:nowrap; margin:0'>%1</p>").arg(html);
+        return u"<p style='white-space:nowrap; margin:0'>%1</p>"_s.arg(html);
     }
 
     QString used(const FormulaLine &line) const
     {
         const bool isSame = isCompared(line, m_arithmetic) && isSameAsExact(line);
-        const QString html = isSame ? quiet(FormulaHtml::tr("exact")) + QStringLiteral("&nbsp; ")
-                + usedHtml(line, m_arithmetic)
-                                    : usedHtml(line, m_arithmetic);
+        const QString html = isSame
+            ? quiet(FormulaHtml::tr("exact")) + u"&nbsp; "_s + usedHtml(line, m_arithmetic)
+            : usedHtml(line, m_arithmetic);
         const bool isWhole = displayText(line.used, m_arithmetic).size() <= mostUnbroken;
-        const QString width = isWhole ? QStringLiteral("width='1'") : QString(); // as its text
-        return QStringLiteral("<td align='right' style='padding-left:12px' %1>%2</td>")
-            .arg(width, isWhole ? unbroken(html) : html);
+        const QString width = isWhole ? u"width='1'"_s : QString(); // as its text
+        return u"<td align='right' style='padding-left:12px' %1>%2</td>"_s.arg(
+            width, isWhole ? unbroken(html) : html);
     }
 
     /// Adds the exact number and the error, where the arithmetic has rounded.
@@ -210,22 +204,20 @@ private:
     {
         if (!isCompared(line, m_arithmetic) || isSameAsExact(line))
             return;
-        const QString exact
-            = QStringLiteral("&nbsp; &nbsp; ") + quiet(typesetHtml(exactText(line)));
+        const QString exact = u"&nbsp; &nbsp; "_s + quiet(typesetHtml(exactText(line)));
         row((symbols == ChannelSymbols::Beside ? beside({}, exact) : wide(exact))
-            + QStringLiteral("<td align='right'>%1</td>")
-                  .arg(unbroken(quiet(typesetHtml(errorText(line))))));
+            + u"<td align='right'>%1</td>"_s.arg(unbroken(quiet(typesetHtml(errorText(line))))));
     }
 
     void row(const QString &cells)
     {
-        m_html += QStringLiteral("<tr><td width='3' bgcolor='%1'></td><td width='8'></td>%2</tr>")
-                      .arg(m_bar, cells);
+        m_html += u"<tr><td width='3' bgcolor='%1'></td><td width='8'></td>%2</tr>"_s.arg(m_bar,
+                                                                                          cells);
     }
 
     QString quiet(const QString &html) const
     {
-        return QStringLiteral("<span style='color:%1'>%2</span>").arg(m_quiet, html);
+        return u"<span style='color:%1'>%2</span>"_s.arg(m_quiet, html);
     }
 
     Arithmetic m_arithmetic;
@@ -279,17 +271,17 @@ QString formulaText(const Explanation &explanation, Arithmetic arithmetic)
     const auto append = [&](const FormulaLine &line) {
         QString text = typeset(line.symbols).remove(u'_');
         if (!line.substituted.isEmpty())
-            text += QStringLiteral(" = ") + typeset(line.substituted);
+            text += u" = "_s + typeset(line.substituted);
         if (!line.used.isNone())
-            text += QStringLiteral(" = ") + displayText(line.used, arithmetic);
+            text += u" = "_s + displayText(line.used, arithmetic);
         if (isCompared(line, arithmetic))
-            text += QStringLiteral("; ") + exactText(line) + QStringLiteral("; ") + errorText(line);
+            text += u"; "_s + exactText(line) + u"; "_s + errorText(line);
         lines.append(text);
     };
     for (const FormulaLine &line : explanation.lines)
         append(line);
     for (const StageFormulas &stage : explanation.stages) {
-        lines.append(stage.stage + QStringLiteral(", ") + stage.point);
+        lines.append(stage.stage + u", "_s + stage.point);
         for (const FormulaLine &line : stage.lines)
             append(line);
     }

@@ -252,7 +252,7 @@ void FramePainter::drawClippedPolygon(const std::vector<LatticePoint> &corners)
     for (std::size_t i = 0; i < places.size(); ++i)
         drawCased({places[i], places[(i + 1) % places.size()]}, colour, clippedWidth);
     for (std::size_t i = 0; i < corners.size(); ++i)
-        drawVertexName(QStringLiteral("C%1").arg(i), corners[i], inside);
+        drawVertexName(u"C%1"_s.arg(i), corners[i], inside);
 }
 
 void FramePainter::drawOffScreenPoint(const LatticePoint &point)

@@ -7,6 +7,8 @@
 
 namespace pixelplumb {
 
+using namespace Qt::StringLiterals;
+
 namespace {
 
 constexpr int leastLines = 2;
@@ -98,8 +100,7 @@ bool ElidingBox::event(QEvent *event)
 {
     if (event->type() != QEvent::ToolTip || shownText() == currentText())
         return QComboBox::event(event);
-    const QString whole
-        = toolTip().isEmpty() ? currentText() : toolTip() + QStringLiteral(": ") + currentText();
+    const QString whole = toolTip().isEmpty() ? currentText() : toolTip() + u": "_s + currentText();
     QToolTip::showText(static_cast<QHelpEvent *>(event)->globalPos(), whole, this);
     return true;
 }

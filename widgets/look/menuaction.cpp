@@ -5,6 +5,8 @@
 
 namespace pixelplumb {
 
+using namespace Qt::StringLiterals;
+
 namespace {
 
 constexpr const char *listedTextProperty = "listedText";
@@ -44,9 +46,7 @@ void setListedText(QAction *action, const QString &text)
 
 QString tipWithKey(const QString &tip, const QKeySequence &key)
 {
-    return key.isEmpty()
-        ? tip
-        : QStringLiteral("%1 (%2)").arg(tip, key.toString(QKeySequence::NativeText));
+    return key.isEmpty() ? tip : u"%1 (%2)"_s.arg(tip, key.toString(QKeySequence::NativeText));
 }
 
 void confineKeyTo(QWidget *widget, QAction *action)

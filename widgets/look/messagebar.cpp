@@ -32,7 +32,7 @@ MessageBar::MessageBar(QWidget *covered)
     setMouseTracking(true); // clicks outside the button go to the widget below
     setBackgroundRole(QPalette::ToolTipBase);
     setForegroundRole(QPalette::ToolTipText);
-    m_glyph->setObjectName(QStringLiteral("messageKind"));
+    m_glyph->setObjectName(u"messageKind"_s);
     named(m_text, "messageText", tr("No message"));
     m_text->setWordWrap(true);
     m_text->setTextFormat(Qt::PlainText);

@@ -31,8 +31,8 @@ QLocale groupingLocale()
 QString nonFiniteText(double value)
 {
     if (std::isnan(value))
-        return QStringLiteral("NaN");
-    return value < 0 ? QStringLiteral("−∞") : QStringLiteral("∞");
+        return u"NaN"_s;
+    return value < 0 ? u"−∞"_s : u"∞"_s;
 }
 
 /// The fewest digits that read back as the same value; plain notation from 10^-9 to below 10^15.
@@ -121,8 +121,7 @@ QString shortDecimal(const Quantity &quantity, int places)
         return decimal; // ends in an ellipsis
     const double whole = std::round(quantity.toDouble());
     const double rest = errorOf(quantity, Quantity::of(whole));
-    return withMinus(QString::number(whole, 'f', 0))
-        + (rest < 0 ? QStringLiteral(" − ") : QStringLiteral(" + "))
+    return withMinus(QString::number(whole, 'f', 0)) + (rest < 0 ? u" − "_s : u" + "_s)
         + withMinus(QString::asprintf("%.0e", std::abs(rest)));
 }
 
@@ -134,10 +133,10 @@ QString decimalBeside(const Quantity &quantity, Arithmetic arithmetic)
         return {};
     QString decimal = displayDecimal(quantity);
     if (decimal.endsWith(ellipsis))
-        return QStringLiteral("≈ ") + decimal;
+        return u"≈ "_s + decimal;
     while (decimal.endsWith(u'0'))
         decimal.chop(1);
-    return QStringLiteral("= ") + decimal;
+    return u"= "_s + decimal;
 }
 
 QString displayError(const Quantity &used, const Quantity &exact)
@@ -148,8 +147,8 @@ QString displayError(const Quantity &used, const Quantity &exact)
         return nonFiniteText(used.toDouble());
     const double error = errorOf(used, exact);
     if (used.isInteger() && exact.isInteger() && std::abs(error) < 1e6)
-        return error == 0 ? QStringLiteral("0") : withMinus(QString::asprintf("%+.0f", error));
-    return error == 0 ? QStringLiteral("0") : withMinus(QString::asprintf("%+.1e", error));
+        return error == 0 ? u"0"_s : withMinus(QString::asprintf("%+.0f", error));
+    return error == 0 ? u"0"_s : withMinus(QString::asprintf("%+.1e", error));
 }
 
 void keepDecimalPoint() { QLocale::setDefault(QLocale::c()); }

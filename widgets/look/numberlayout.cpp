@@ -99,7 +99,7 @@ void NumberLayout::draw(QPainter &painter, const QRectF &rect, const QString &di
     const auto drawSmaller
         = [&](double x, const QString &part) { painter.drawText(QPointF(x, baseline), part); };
     drawSmaller(slash - smaller.horizontalAdvance(parts.numerator), parts.numerator);
-    drawSmaller(slash, QStringLiteral("/"));
+    drawSmaller(slash, u"/"_s);
     drawSmaller(slash + m_slash, parts.denominator);
     painter.setFont(font);
 }

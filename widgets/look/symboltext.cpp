@@ -5,6 +5,8 @@
 
 namespace pixelplumb {
 
+using namespace Qt::StringLiterals;
+
 namespace {
 
 constexpr double subscriptSize = 0.75; // relative to the line's
@@ -27,8 +29,7 @@ QString SymbolText::html() const
     QString html;
     for (const SymbolRun &run : m_runs) {
         const QString text = run.text.toHtmlEscaped();
-        html += run.level == SymbolRun::Level::Subscript ? QStringLiteral("<sub>%1</sub>").arg(text)
-                                                         : text;
+        html += run.level == SymbolRun::Level::Subscript ? u"<sub>%1</sub>"_s.arg(text) : text;
     }
     return html;
 }
@@ -73,7 +74,7 @@ QString toolTipHtml(const QStringList &lines)
     QStringList html;
     for (const QString &line : lines)
         html += SymbolText(line).html();
-    return QStringLiteral("<qt>%1</qt>").arg(html.join(QStringLiteral("<br>")));
+    return u"<qt>%1</qt>"_s.arg(html.join(u"<br>"_s));
 }
 
 std::optional<Sign> edgeSignOf(const QString &symbol)

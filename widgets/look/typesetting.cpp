@@ -27,32 +27,31 @@ void appendDecimal(QStringList &lines, const Quantity &quantity, Arithmetic arit
 /// Replaces the channel's letter by C: in "ΔR", but not the right bound in "x_R".
 QString withoutChannel(QString symbols, QChar channel)
 {
-    const QRegularExpression letter(QStringLiteral("(?<![A-Za-z_])%1(?![A-Za-z])").arg(channel));
-    return symbols.replace(letter, QStringLiteral("C"));
+    const QRegularExpression letter(u"(?<![A-Za-z_])%1(?![A-Za-z])"_s.arg(channel));
+    return symbols.replace(letter, u"C"_s);
 }
 
 } // namespace
 
 QString typeset(QString text)
 {
-    static const QRegularExpression mixed(QStringLiteral("(\\d)[ \u2009](\\d+/\\d+)"));
-    text.replace(mixed, QStringLiteral("\\1\u202f\\2"));
-    static const QRegularExpression negative(QStringLiteral("(^|[^\\w⌋⌉)])-(?=\\d)"));
-    return text.replace(negative, QStringLiteral("\\1−"));
+    static const QRegularExpression mixed(u"(\\d)[ \u2009](\\d+/\\d+)"_s);
+    text.replace(mixed, u"\\1\u202f\\2"_s);
+    static const QRegularExpression negative(u"(^|[^\\w⌋⌉)])-(?=\\d)"_s);
+    return text.replace(negative, u"\\1−"_s);
 }
 
 QString typesetHtml(const QString &text)
 {
-    static const QRegularExpression fraction(
-        QStringLiteral("(?<![\\d).])(\\d+/\\d+)(?!\\d|\\.\\d)"));
+    static const QRegularExpression fraction(u"(?<![\\d).])(\\d+/\\d+)(?!\\d|\\.\\d)"_s);
     // Rich text turns every space except the no-break space into an ordinary one, at which a line
     // may break, as it may at an exponent's sign.
-    static const QRegularExpression exponent(QStringLiteral("(\\de)([-−+])(?=\\d)"));
+    static const QRegularExpression exponent(u"(\\de)([-−+])(?=\\d)"_s);
     QString whole = typeset(text).replace(u'\u202f', QChar::Nbsp);
-    whole.replace(QStringLiteral("else "), QStringLiteral("else\u00a0"));
-    whole.replace(exponent, QStringLiteral("\\1\u2060\\2\u2060"));
+    whole.replace(u"else "_s, u"else\u00a0"_s);
+    whole.replace(exponent, u"\\1\u2060\\2\u2060"_s);
     QString html = SymbolText(whole).html();
-    return html.replace(fraction, QStringLiteral("<small>\\1</small>"));
+    return html.replace(fraction, u"<small>\\1</small>"_s);
 }
 
 QString shownName(const QString &path)
@@ -76,7 +75,7 @@ QString numberToolTip(const NumberDescription &number)
 QString numberToolTip(const NumberDescription &number, const Quantity &used, const Quantity &exact,
                       Arithmetic arithmetic)
 {
-    QStringList lines(number.title + QStringLiteral(" = ") + displayText(used, arithmetic)
+    QStringList lines(number.title + u" = "_s + displayText(used, arithmetic)
                       + (number.unit.isEmpty() ? QString() : u' ' + number.unit));
     appendDecimal(lines, used, arithmetic);
     if (!exact.isNone()) {

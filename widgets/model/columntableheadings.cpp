@@ -15,16 +15,16 @@ QString markText(const TracedScene &traced, std::size_t span)
 {
     const std::size_t primitive = traced.trace->primitiveOf(span);
     const QString kind = traced.primitives.isTriangle(primitive)
-        ? QStringLiteral("△")
+        ? u"△"_s
         : coreWord(nameOf(traced.primitives.kindOf(primitive)));
-    return QStringLiteral("%1 %2").arg(kind, QString::number(primitive));
+    return u"%1 %2"_s.arg(kind, QString::number(primitive));
 }
 
 /// The edge added where a sorted triangle's second part begins, else the part's name.
 QString partText(const TracedScene &traced, std::size_t span)
 {
     if (traced.primitives.isTriangle(traced.trace->primitiveOf(span)))
-        return QStringLiteral("L₁₂");
+        return u"L₁₂"_s;
     return coreWord(partName(*traced.trace, span));
 }
 

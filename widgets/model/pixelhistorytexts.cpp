@@ -16,9 +16,9 @@ namespace {
 /// A primitive's name: "△ 2", "line 0".
 QString nameText(const PixelAttempt &attempt)
 {
-    const QString kind = attempt.kind == PrimitiveKind::Triangle ? QStringLiteral("△")
-                                                                 : coreWord(nameOf(attempt.kind));
-    return QStringLiteral("%1 %2").arg(kind, QString::number(attempt.primitive));
+    const QString kind
+        = attempt.kind == PrimitiveKind::Triangle ? u"△"_s : coreWord(nameOf(attempt.kind));
+    return u"%1 %2"_s.arg(kind, QString::number(attempt.primitive));
 }
 
 QColor opaque(QRgb colour) { return QColor::fromRgb(colour); }
@@ -77,8 +77,7 @@ QString PixelHistoryModel::channelText(const PixelAttempt &attempt, std::size_t 
     switch (column) {
     case WhatColumn:
         // The reason and the Formula panel show what happens to it afterwards.
-        return (isOfBase(attempt) ? tr("base %1") : QStringLiteral("%1"))
-            .arg(QStringLiteral("RGB").at(qsizetype(channel)));
+        return (isOfBase(attempt) ? tr("base %1") : u"%1"_s).arg(u"RGB"_s.at(qsizetype(channel)));
     case UsedColumn:
         return displayText(used, arithmetic);
     case ByteColumn: {

@@ -197,10 +197,9 @@ QVariant PrimitiveListModel::data(const QModelIndex &index, int role) const
         return {};
     switch (Column(index.column())) {
     case Name:
-        return isWhole
-            ? QStringLiteral("%1 %2").arg(coreWord(nameOf(m_document->kindOf(ref.primitive))),
-                                          QString::number(ref.primitive))
-            : tr("vertex %1").arg(ref.vertex);
+        return isWhole ? u"%1 %2"_s.arg(coreWord(nameOf(m_document->kindOf(ref.primitive))),
+                                        QString::number(ref.primitive))
+                       : tr("vertex %1").arg(ref.vertex);
     case X:
         return isWhole ? QString() : coordinateText(vertex->position.x);
     case Y:

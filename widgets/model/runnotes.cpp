@@ -47,9 +47,9 @@ QString rejectionNote(const TracedScene &traced)
         return {};
     const RejectedPrimitive &first = rejected.front();
     const QString kind = coreWord(nameOf(first.kind));
-    const QString text = QStringLiteral("%1 %2: %3")
-                             .arg(kind.left(1).toUpper() + kind.sliced(1),
-                                  QString::number(first.primitive), rejectionText(first.rejection));
+    const QString text
+        = u"%1 %2: %3"_s.arg(kind.left(1).toUpper() + kind.sliced(1),
+                             QString::number(first.primitive), rejectionText(first.rejection));
     return rejected.size() == 1 ? text
                                 : RunNotes::tr("%L1 primitives are not drawn. The first: %2")
                                       .arg(rejected.size())
@@ -99,7 +99,7 @@ QString withTitles(const QString &text)
 
 QString objectionNote(const Method &method, const QString &objection)
 {
-    return QStringLiteral("%1 %2.").arg(methodTitle(method), withTitles(objection));
+    return u"%1 %2."_s.arg(methodTitle(method), withTitles(objection));
 }
 
 QString verdictNote(const TracedScene &traced)

@@ -195,7 +195,7 @@ void StudentPicture::refuse(const QString &why)
 void StudentPicture::take(const Picture &picture, const QString &name)
 {
     if (const QString text = m_scene ? misfitOf(picture) : QString(); !text.isEmpty()) {
-        refuse(QStringLiteral("%1: %2").arg(name, text));
+        refuse(u"%1: %2"_s.arg(name, text));
         return;
     }
     m_picture = picture;

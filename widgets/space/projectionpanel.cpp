@@ -46,7 +46,7 @@ QString lossesText(const std::vector<LostTriangle> &lost)
         reasons += ProjectionPanel::tr("%1: each %2").arg(count).arg(coreWord(nameOf(loss)));
     if (reasons.isEmpty())
         return {};
-    return ProjectionPanel::tr(" Not drawn are %1.").arg(reasons.join(QStringLiteral(", ")));
+    return ProjectionPanel::tr(" Not drawn are %1.").arg(reasons.join(u", "_s));
 }
 
 } // namespace

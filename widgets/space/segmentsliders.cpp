@@ -11,6 +11,8 @@
 
 namespace pixelplumb {
 
+using namespace Qt::StringLiterals;
+
 namespace {
 
 constexpr std::array mostDragged = {128, 64}; ///< higher numbers are typed into the file
@@ -25,9 +27,8 @@ bool hasSegments(const Solid &solid)
 SegmentSliders::SegmentSliders(SceneDocument *document, QWidget *parent)
     : QWidget(parent)
     , m_document(document)
-    , m_sliders({makeSlider(QStringLiteral("segmentsAround"), tr("Segments around, or along s")),
-                 makeSlider(QStringLiteral("segmentsAlong"),
-                            tr("Segments from pole to pole, or along t"))})
+    , m_sliders({makeSlider(u"segmentsAround"_s, tr("Segments around, or along s")),
+                 makeSlider(u"segmentsAlong"_s, tr("Segments from pole to pole, or along t"))})
     , m_numbers(new QLabel(this))
 {
     auto *row = withParts(new QHBoxLayout(this), {new QLabel(tr("Segments"))}, -1, 0);
@@ -71,8 +72,7 @@ void SegmentSliders::follow()
         m_sliders[i]->setRange(least[i], std::max(mostDragged[i], shown.segments[i]));
         m_sliders[i]->setValue(shown.segments[i]);
     }
-    const QString segments
-        = QStringLiteral("%1 × %2").arg(shown.segments[0]).arg(shown.segments[1]);
+    const QString segments = u"%1 × %2"_s.arg(shown.segments[0]).arg(shown.segments[1]);
     m_numbers->setText(shown.kind == SolidKind::Sphere
                            ? tr("%1, at most %2 from the sphere")
                                  .arg(segments)

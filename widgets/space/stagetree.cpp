@@ -44,8 +44,7 @@ QString errorText(const StageNumber &number)
 {
     if (std::isnan(number.error))
         return {};
-    return number.error == 0 ? QStringLiteral("0")
-                             : withMinus(QString::asprintf("%+.1e", number.error));
+    return number.error == 0 ? u"0"_s : withMinus(QString::asprintf("%+.1e", number.error));
 }
 
 StageTree::StageTree(QWidget *parent)
@@ -90,13 +89,12 @@ void StageTree::fillStage(QTreeWidgetItem *item, const ProjectionStage &stage)
     item->setFont(NameColumn, bold(font()));
     item->setFirstColumnSpanned(true);
     // One equation per row: together they are too long.
-    static const QRegularExpression nextEquation(QStringLiteral(", (?=[^,()=]+ = )"));
+    static const QRegularExpression nextEquation(u", (?=[^,()=]+ = )"_s);
     for (const QString &equation : stage.formula.split(nextEquation))
         addSentence(item, equation);
     for (const StagePoint &point : stage.points) {
-        const QString name = point.note.isEmpty()
-            ? point.name
-            : QStringLiteral("%1: %2").arg(point.name, point.note);
+        const QString name
+            = point.note.isEmpty() ? point.name : u"%1: %2"_s.arg(point.name, point.note);
         QTreeWidgetItem *row = addSentence(item, name);
         for (const StageNumber &number : point.numbers)
             addNumber(row, number);

@@ -66,17 +66,17 @@ Surface exampleOf(SurfaceKind kind)
 /// A cell of the table of forms.
 QString formHtml(const SurfaceForm &form)
 {
-    QStringList lines = {QStringLiteral("<b>%1</b>").arg(SymbolText(form.formula).html())};
+    QStringList lines = {u"<b>%1</b>"_s.arg(SymbolText(form.formula).html())};
     for (const StageNumber &number : form.numbers) {
         const QString error = number.error == 0
             ? SurfacesPanel::tr("exact")
             : SurfacesPanel::tr("error %1").arg(errorText(number));
-        lines += QStringLiteral("%1 = %2 (%3)").arg(number.name, usedText(number), error);
+        lines += u"%1 = %2 (%3)"_s.arg(number.name, usedText(number), error);
     }
     if (form.numbers.empty())
         lines += SurfacesPanel::tr("no such number here");
-    lines += QStringLiteral("<i>%1</i>").arg(SymbolText(form.note).html());
-    return QStringLiteral("<td>%1</td>").arg(lines.join(QStringLiteral("<br>")));
+    lines += u"<i>%1</i>"_s.arg(SymbolText(form.note).html());
+    return u"<td>%1</td>"_s.arg(lines.join(u"<br>"_s));
 }
 
 QString pointText(const QString &name, std::span<const double> coordinates)
@@ -84,8 +84,7 @@ QString pointText(const QString &name, std::span<const double> coordinates)
     QStringList numbers;
     for (const double coordinate : coordinates)
         numbers += displayText(Quantity::of(coordinate));
-    return QStringLiteral("%1 = (%2)")
-        .arg(SymbolText(name).html(), numbers.join(QStringLiteral(", ")));
+    return u"%1 = (%2)"_s.arg(SymbolText(name).html(), numbers.join(u", "_s));
 }
 
 /// The given data of the formulas.
@@ -97,16 +96,14 @@ QStringList givenBy(const Surface &surface)
     };
     switch (surface.kind) {
     case SurfaceKind::Line:
-        return {point(QStringLiteral("P₀"), 0), point(QStringLiteral("P₁"), 1)};
+        return {point(u"P₀"_s, 0), point(u"P₁"_s, 1)};
     case SurfaceKind::Plane:
-        return {point(QStringLiteral("P₀"), 0), point(QStringLiteral("P₁"), 1),
-                point(QStringLiteral("P₂"), 2)};
+        return {point(u"P₀"_s, 0), point(u"P₁"_s, 1), point(u"P₂"_s, 2)};
     case SurfaceKind::Circle:
     case SurfaceKind::Sphere:
         break;
     }
-    return {point(QStringLiteral("C"), 0),
-            QStringLiteral("r = %1").arg(displayText(Quantity::of(surface.radius)))};
+    return {point(u"C"_s, 0), u"r = %1"_s.arg(displayText(Quantity::of(surface.radius)))};
 }
 
 /// A row of the table: a kind of curve or surface.
@@ -114,15 +111,14 @@ QString formsHtml(SurfaceKind kind, const Scene &scene, double s, double t)
 {
     const std::optional<Surface> own = surfaceOf(kind, scene);
     const Surface surface = own.value_or(exampleOf(kind));
-    QString row = QStringLiteral("<tr><td><b>%1</b>%2<br>%3</td>")
-                      .arg(coreWord(nameOf(kind)),
-                           own ? QString()
-                               : QStringLiteral("<br><i>%1</i>")
-                                     .arg(SurfacesPanel::tr("an example: the scene has none")),
-                           givenBy(surface).join(QStringLiteral("<br>")));
+    QString row = u"<tr><td><b>%1</b>%2<br>%3</td>"_s.arg(
+        coreWord(nameOf(kind)),
+        own ? QString()
+            : u"<br><i>%1</i>"_s.arg(SurfacesPanel::tr("an example: the scene has none")),
+        givenBy(surface).join(u"<br>"_s));
     for (const SurfaceForm &form : formsOf(surface, s, t))
         row += formHtml(form);
-    return row + QStringLiteral("</tr>");
+    return row + u"</tr>"_s;
 }
 
 } // namespace
@@ -130,8 +126,8 @@ QString formsHtml(SurfaceKind kind, const Scene &scene, double s, double t)
 SurfacesPanel::SurfacesPanel(SceneDocument *document, Playhead *playhead, QWidget *parent)
     : QWidget(parent)
     , m_playhead(playhead)
-    , m_s(makeSlider(QStringLiteral("surfaceS"), tr("The parameter s, 0 … 1")))
-    , m_t(makeSlider(QStringLiteral("surfaceT"), tr("The parameter t of a surface, 0 … 1")))
+    , m_s(makeSlider(u"surfaceS"_s, tr("The parameter s, 0 … 1")))
+    , m_t(makeSlider(u"surfaceT"_s, tr("The parameter t of a surface, 0 … 1")))
     , m_parameters(new QLabel)
     , m_forms(new QTextBrowser)
 {
@@ -139,9 +135,8 @@ SurfacesPanel::SurfacesPanel(SceneDocument *document, Playhead *playhead, QWidge
     named(m_forms, "surfaceForms", tr("Forms of curves and surfaces"));
     m_forms->setFrameShape(QFrame::NoFrame);
     m_forms->setWordWrapMode(QTextOption::WordWrap); // not in the middle of a number
-    auto *sliders = withParts(
-        new QHBoxLayout,
-        {new QLabel(QStringLiteral("s")), m_s, new QLabel(QStringLiteral("t")), m_t, m_parameters});
+    auto *sliders = withParts(new QHBoxLayout,
+                              {new QLabel(u"s"_s), m_s, new QLabel(u"t"_s), m_t, m_parameters});
     withParts(new QVBoxLayout(this), {new SegmentSliders(document), sliders, {m_forms, 1}}, -1, 8);
     for (QSlider *slider : {m_s, m_t})
         connect(slider, &QSlider::valueChanged, this, &SurfacesPanel::fillForms);
@@ -178,15 +173,15 @@ void SurfacesPanel::fillForms()
     m_parameters->setText(tr("s = %1, t = %2").arg(s, 0, 'f', 3).arg(t, 0, 'f', 3));
     const TracedScene *traced = m_playhead->traced();
     const Scene scene = traced ? traced->scene : Scene();
-    QString html = QStringLiteral("<table width='100%' border='1' cellspacing='0' cellpadding='4' "
-                                  "style='border-collapse: collapse'><tr><th></th>");
+    QString html = u"<table width='100%' border='1' cellspacing='0' cellpadding='4' "
+                   "style='border-collapse: collapse'><tr><th></th>"_s;
     for (const QString &form : {tr("Explicit"), tr("Parametric"), tr("Implicit")})
-        html += QStringLiteral("<th align='left'>%1</th>").arg(form);
-    html += QStringLiteral("</tr>");
+        html += u"<th align='left'>%1</th>"_s.arg(form);
+    html += u"</tr>"_s;
     for (const SurfaceKind kind : allSurfaces)
         html += formsHtml(kind, scene, s, t);
     const int place = m_forms->verticalScrollBar()->value();
-    m_forms->setHtml(html + QStringLiteral("</table>"));
+    m_forms->setHtml(html + u"</table>"_s);
     m_forms->verticalScrollBar()->setValue(place);
 }
 

@@ -90,32 +90,32 @@ void StepActions::addSteps()
     addStep(StepUnit::SetUp, backward, "previousSetUp", tr("Previous p&rimitive"), tr("primitive"),
             Qt::CTRL | Qt::SHIFT | Qt::Key_F11, tr("Go back to the previous primitive's set-up"));
 
-    m_toEnd = addMove(QStringLiteral("runToEnd"), tr("Run to the &end"), tr("end"), Qt::Key_F5,
+    m_toEnd = addMove(u"runToEnd"_s, tr("Run to the &end"), tr("end"), Qt::Key_F5,
                       tr("Go on to the next breakpoint or the end"),
                       [](Playhead *playhead) { playhead->run(forward); });
     m_toEnd->setIcon(stepIcon(StepSign::ToEnd));
-    m_toStart = addMove(QStringLiteral("runToStart"), tr("Run back to the &start"), tr("start"),
+    m_toStart = addMove(u"runToStart"_s, tr("Run back to the &start"), tr("start"),
                         Qt::SHIFT | Qt::Key_F5, tr("Go back to the last breakpoint or the start"),
                         [](Playhead *playhead) { playhead->run(backward); });
     m_toStart->setIcon(stepIcon(StepSign::ToStart));
     m_runToPixel[std::size_t(forward)]
-        = addMove(QStringLiteral("runToPickedPixel"), tr("Run to the picke&d pixel"), {},
-                  Qt::CTRL | Qt::Key_F10, tr("Go on to the next step that writes the picked pixel"),
+        = addMove(u"runToPickedPixel"_s, tr("Run to the picke&d pixel"), {}, Qt::CTRL | Qt::Key_F10,
+                  tr("Go on to the next step that writes the picked pixel"),
                   [](Playhead *playhead) { playhead->runToPickedPixel(forward); });
     m_runToPixel[std::size_t(backward)]
-        = addMove(QStringLiteral("runBackToPickedPixel"), tr("Run &back to the picked pixel"), {},
+        = addMove(u"runBackToPickedPixel"_s, tr("Run &back to the picked pixel"), {},
                   Qt::CTRL | Qt::SHIFT | Qt::Key_F10,
                   tr("Go back to the last step that writes the picked pixel"),
                   [](Playhead *playhead) { playhead->runToPickedPixel(backward); });
 
-    m_play = add(QStringLiteral("play"), tr("Pla&y"), tr("play"), Qt::Key_Space, {});
+    m_play = add(u"play"_s, tr("Pla&y"), tr("play"), Qt::Key_Space, {});
     connect(m_play, &QAction::triggered, this,
             [this] { m_playhead->setPlaying(!m_playhead->isPlaying()); });
 }
 
 void StepActions::addBreakpoints()
 {
-    m_columnBreakpoint = add(QStringLiteral("toggleColumnBreakpoint"), {}, {}, Qt::Key_F9,
+    m_columnBreakpoint = add(u"toggleColumnBreakpoint"_s, {}, {}, Qt::Key_F9,
                              tr("Set or clear a breakpoint on the current column or row"));
     connect(m_columnBreakpoint, &QAction::triggered, this, [this] {
         if (const std::optional<SpanPlace> place = m_playhead->currentPlace())
@@ -124,13 +124,13 @@ void StepActions::addBreakpoints()
             m_playhead->toggleSpanBreakpoint({SpanAxis::Column, pixel->x(), 0});
     });
     m_pixelBreakpoint
-        = add(QStringLiteral("togglePixelBreakpoint"), tr("Breakpoint on the picked pi&xel"), {},
+        = add(u"togglePixelBreakpoint"_s, tr("Breakpoint on the picked pi&xel"), {},
               Qt::SHIFT | Qt::Key_F9, tr("Set or clear a breakpoint on the picked pixel"));
     connect(m_pixelBreakpoint, &QAction::triggered, this, [this] {
         if (const auto pixel = m_playhead->pickedPixel())
             m_playhead->togglePixelBreakpoint(*pixel);
     });
-    m_clearBreakpoints = add(QStringLiteral("clearBreakpoints"), tr("C&lear all breakpoints"), {},
+    m_clearBreakpoints = add(u"clearBreakpoints"_s, tr("C&lear all breakpoints"), {},
                              Qt::CTRL | Qt::SHIFT | Qt::Key_F9, tr("Clear all breakpoints"));
     connect(m_clearBreakpoints, &QAction::triggered, m_playhead, &Playhead::clearBreakpoints);
 }

@@ -23,7 +23,7 @@ StepButton::StepButton(QAction *action, SignSide side, QWidget *parent)
     : QToolButton(parent)
     , m_side(side)
 {
-    setObjectName(action->objectName() + QStringLiteral("Button"));
+    setObjectName(action->objectName() + u"Button"_s);
     setDefaultAction(action);
     setAutoRaise(true);
     setFocusPolicy(Qt::TabFocus);

@@ -12,13 +12,13 @@ JobBar::JobBar(const Job &job, const QString &name, const QString &inWords, int 
     : QWidget(parent)
 {
     auto *bar = new QProgressBar(this);
-    bar->setObjectName(name + QStringLiteral("Progress"));
+    bar->setObjectName(name + u"Progress"_s);
     bar->setAccessibleName(inWords);
     bar->setTextVisible(false);
     if (width > 0)
         bar->setMaximumWidth(width);
     auto *cancel = new QPushButton(tr("Cancel"), this);
-    cancel->setObjectName(name + QStringLiteral("Cancel"));
+    cancel->setObjectName(name + u"Cancel"_s);
     cancel->setAutoDefault(false);
     withParts(new QHBoxLayout(this), {{bar, 1}, cancel}, 8, 0);
     connect(cancel, &QPushButton::clicked, this, &JobBar::cancelled);

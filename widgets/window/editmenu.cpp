@@ -22,7 +22,7 @@ EditMenu::EditMenu(const WindowParts &parts, QWidget *window)
     : QMenu(tr("&Edit"), window)
     , m_parts(parts)
 {
-    setObjectName(QStringLiteral("editMenu"));
+    setObjectName(u"editMenu"_s);
     addUndo();
     addSeparator();
     addTools();
@@ -38,12 +38,12 @@ void EditMenu::addUndo()
 {
     QUndoStack *stack = m_parts.document->undoStack();
     QAction *undo = stack->createUndoAction(this, tr("&Undo"));
-    undo->setObjectName(QStringLiteral("undo"));
+    undo->setObjectName(u"undo"_s);
     setListedText(undo, tr("&Undo"));
     undo->setShortcut(QKeySequence::Undo);
     addAction(undo);
     QAction *redo = stack->createRedoAction(this, tr("&Redo"));
-    redo->setObjectName(QStringLiteral("redo"));
+    redo->setObjectName(u"redo"_s);
     setListedText(redo, tr("&Redo"));
     redo->setShortcuts({Qt::CTRL | Qt::SHIFT | Qt::Key_Z, Qt::CTRL | Qt::Key_Y});
     addAction(redo);
@@ -199,7 +199,7 @@ void EditMenu::addFrameAndSnap(QWidget *window)
                           document->setLook(dialog.look().camera, dialog.look().appearance);
                   });
     QMenu *snaps = addMenu(tr("&Snap to"));
-    snaps->setObjectName(QStringLiteral("snapMenu"));
+    snaps->setObjectName(u"snapMenu"_s);
     auto *group = new QActionGroup(snaps);
     const auto addSnap = [&](const char *name, const QString &text, Snap snap) {
         group->addAction(addSwitch(

@@ -66,7 +66,7 @@ ExamplesDialog::ExamplesDialog(const std::vector<Example> &examples,
     : QDialog(parent)
     , m_list(new QListWidget(this))
 {
-    setObjectName(QStringLiteral("examplesDialog"));
+    setObjectName(u"examplesDialog"_s);
     setWindowTitle(tr("Examples"));
     named(m_list, "examplesList", tr("Examples"));
     m_list->setIconSize(pictureSize);

@@ -55,7 +55,7 @@ ColumnPlaces columnPlacesOf(const Canvas &canvas)
 MainWindow::MainWindow(QWidget *parent)
     : QMainWindow(parent)
 {
-    setObjectName(QStringLiteral("mainWindow"));
+    setObjectName(u"mainWindow"_s);
     setAcceptDrops(true);
     setAnimated(false); // restoreState() crashes while a dropped panel glides into its place
     m_palettes = new PaletteSwitch(this);

@@ -44,7 +44,7 @@ std::pair<QString, QString> spanExportNames(SpanAxis axis)
 FileMenu::FileMenu(const WindowParts &parts, QWidget *window)
     : QMenu(tr("&File"), window)
 {
-    setObjectName(QStringLiteral("fileMenu"));
+    setObjectName(u"fileMenu"_s);
     SceneFiles *files = parts.files;
     addMenuAction(this, "newScene", tr("&New"), QKeySequence::New, [files] { files->newScene(); });
     addMenuAction(this, "openScene", tr("&Open…"), QKeySequence::Open, [files] { files->open(); });
@@ -77,7 +77,7 @@ void FileMenu::addExports(const WindowParts &parts)
 {
     SceneExports *exports = parts.exports;
     QMenu *menu = addMenu(tr("&Export"));
-    menu->setObjectName(QStringLiteral("exportMenu"));
+    menu->setObjectName(u"exportMenu"_s);
     addMenuAction(menu, "exportPicture", tr("&Picture (PNG)…"), Qt::CTRL | Qt::Key_E,
                   [exports] { exports->exportPicture(); });
     addMenuAction(menu, "exportGrid", tr("&Annotated grid (SVG)…"), {},
@@ -105,7 +105,7 @@ void FileMenu::addExports(const WindowParts &parts)
 LayersMenu::LayersMenu(const WindowParts &parts, QWidget *window)
     : QMenu(tr("&Layers"), window)
 {
-    setObjectName(QStringLiteral("layersMenu"));
+    setObjectName(u"layersMenu"_s);
     setToolTipsVisible(true);
     for (const Layer &layer : layers())
         addLayer(layer, parts);
@@ -134,7 +134,7 @@ void LayersMenu::addLayer(const Layer &layer, const WindowParts &parts)
         this, "", coreWord(layer.title), {}, [options, &layer] { options->toggleLayer(layer.id); },
         options, &DisplayOptions::changed,
         [options, &layer] { return options->layers().contains(layer.id); });
-    action->setObjectName(QStringLiteral("layer-") + layer.id);
+    action->setObjectName(u"layer-"_s + layer.id);
     keepUpdated(document, &SceneDocument::sceneChanged, action, [document, action, &layer] {
         const QString objection = layer.objection(document->scene());
         const QString text
@@ -142,15 +142,15 @@ void LayersMenu::addLayer(const Layer &layer, const WindowParts &parts)
         action->setEnabled(objection.isEmpty());
         action->setStatusTip(text);
         // Rich text wraps.
-        action->setToolTip(QStringLiteral("<p>%1</p><p>%2</p>")
-                               .arg(text.toHtmlEscaped(), layer.source.toHtmlEscaped()));
+        action->setToolTip(
+            u"<p>%1</p><p>%2</p>"_s.arg(text.toHtmlEscaped(), layer.source.toHtmlEscaped()));
     });
 }
 
 StepMenu::StepMenu(const WindowParts &parts, QWidget *window)
     : QMenu(tr("&Step"), window)
 {
-    setObjectName(QStringLiteral("stepMenu"));
+    setObjectName(u"stepMenu"_s);
     const StepActions &steps = *parts.steps;
     for (const StepUnit unit : {StepUnit::Span, StepUnit::Sample, StepUnit::SetUp}) {
         addAction(steps.step(unit, StepDirection::Forward));
@@ -159,7 +159,7 @@ StepMenu::StepMenu(const WindowParts &parts, QWidget *window)
     addSeparator();
     addAction(steps.play());
     QMenu *units = addMenu(tr("Play &by"));
-    units->setObjectName(QStringLiteral("unitMenu"));
+    units->setObjectName(u"unitMenu"_s);
     units->addActions(steps.units());
     addSeparator();
     addAction(steps.toEnd());
@@ -186,7 +186,7 @@ HelpMenu::HelpMenu(QMenuBar *bar)
     : QMenu(tr("&Help"), bar)
     , m_bar(bar)
 {
-    setObjectName(QStringLiteral("helpMenu"));
+    setObjectName(u"helpMenu"_s);
     addMenuAction(this, "showManual", tr("&Manual"), Qt::Key_F1, [this] { showManual(); });
     addMenuAction(this, "showKeys", tr("&Keys and mouse"), Qt::Key_Question,
                   [this] { showKeys(); });
@@ -234,7 +234,7 @@ void HelpMenu::showAbout()
             .arg(QCoreApplication::applicationVersion(), QLatin1String(qVersion()),
                  QSysInfo::prettyProductName(), QSysInfo::currentCpuArchitecture()),
         QMessageBox::Close, m_bar->window());
-    about.setObjectName(QStringLiteral("about"));
+    about.setObjectName(u"about"_s);
     about.setIconPixmap(m_bar->window()->windowIcon().pixmap(64));
     about.setTextInteractionFlags(Qt::TextBrowserInteraction); // to copy it into a report
     about.exec();

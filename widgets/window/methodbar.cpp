@@ -106,19 +106,18 @@ MethodBar::MethodBar(SceneDocument *document, QWidget *parent)
     , m_document(document)
     , m_layout(new QHBoxLayout(this))
 {
-    setObjectName(QStringLiteral("methodBar"));
+    setObjectName(u"methodBar"_s);
     m_layout->setContentsMargins(8, 0, 0, 0);
     m_layout->setSpacing(6);
-    m_method = makeBox(QStringLiteral("methodBox"), tr("Method"), {});
+    m_method = makeBox(u"methodBox"_s, tr("Method"), {});
     m_layout->addWidget(m_method); // without a label: a method's title is clear by itself
     m_method->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
     m_method->setMinimumContentsLength(shownTitleLength);
-    m_arithmetic = addSetting(DrawingSetting::Arithmetic, QStringLiteral("arithmeticBox"),
-                              tr("Arithmetic"), tr("What the increments are computed in"));
-    m_fillRule
-        = addSetting(DrawingSetting::FillRule, QStringLiteral("fillRuleBox"), tr("Fill rule"),
-                     tr("Which side owns a sample that lies exactly on an edge"));
-    m_rounding = addSetting(DrawingSetting::Rounding, QStringLiteral("roundingBox"), tr("Rounding"),
+    m_arithmetic = addSetting(DrawingSetting::Arithmetic, u"arithmeticBox"_s, tr("Arithmetic"),
+                              tr("What the increments are computed in"));
+    m_fillRule = addSetting(DrawingSetting::FillRule, u"fillRuleBox"_s, tr("Fill rule"),
+                            tr("Which side owns a sample that lies exactly on an edge"));
+    m_rounding = addSetting(DrawingSetting::Rounding, u"roundingBox"_s, tr("Rounding"),
                             tr("How a colour level becomes a byte"));
     addMethods();
     addSettings();

@@ -30,7 +30,7 @@ MethodMenu::MethodMenu(const WindowParts &parts, QWidget *window)
     : QMenu(tr("&Method"), window)
     , m_document(parts.document)
 {
-    setObjectName(QStringLiteral("methodMenu"));
+    setObjectName(u"methodMenu"_s);
     setToolTipsVisible(true);
     addMethods(parts.canvas);
     addSeparator();
@@ -40,7 +40,7 @@ MethodMenu::MethodMenu(const WindowParts &parts, QWidget *window)
 void MethodMenu::addVariants()
 {
     QMenu *menu = addMenu(tr("Misprints and &typical mistakes"));
-    menu->setObjectName(QStringLiteral("variantMenu"));
+    menu->setObjectName(u"variantMenu"_s);
     menu->setToolTipsVisible(true);
     for (const Variant variant : allVariants) {
         const QString title = nameText(wordsOf(variant, SpanAxis::Free).title);
@@ -51,7 +51,7 @@ void MethodMenu::addVariants()
                 : settings.variants.with(variant);
             m_document->setSettings(settings);
         });
-        action->setObjectName(QStringLiteral("variant-") + nameText(nameOf(variant)));
+        action->setObjectName(u"variant-"_s + nameText(nameOf(variant)));
         action->setCheckable(true);
         keepUpdated(m_document, &SceneDocument::sceneChanged, action, [this, action, variant] {
             const Scene &scene = m_document->scene();
@@ -87,7 +87,7 @@ void MethodMenu::addMethods(Canvas *canvas)
             family, "", methodTitle(method), key, [this, id] { m_document->setMethod(id); },
             m_document, &SceneDocument::sceneChanged,
             [this, id] { return m_document->scene().method == id; });
-        action->setObjectName(QStringLiteral("method-") + method.id);
+        action->setObjectName(u"method-"_s + method.id);
         group->addAction(action);
         confineKeyTo(canvas, action);
         action->setToolTip(methodSummary(method));

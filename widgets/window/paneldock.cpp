@@ -32,7 +32,7 @@ public:
         , m_playhead(playhead)
         , m_panel(panel)
     {
-        setObjectName(QStringLiteral("predictVeil"));
+        setObjectName(u"predictVeil"_s);
         setAlignment(Qt::AlignCenter);
         setWordWrap(true);
         setMargin(16);

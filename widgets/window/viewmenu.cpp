@@ -33,7 +33,7 @@ ViewMenu::ViewMenu(const WindowParts &parts, WindowDocks *docks, PaletteSwitch *
                    QWidget *window)
     : QMenu(tr("&View"), window)
 {
-    setObjectName(QStringLiteral("viewMenu"));
+    setObjectName(u"viewMenu"_s);
     addOptions(parts);
     addSeparator();
     addZoom(parts.canvas);
@@ -118,7 +118,7 @@ void ViewMenu::addZoom(Canvas *canvas)
 void ViewMenu::addWorkspaces(Workspaces *workspaces)
 {
     QMenu *menu = addMenu(tr("&Workspace"));
-    menu->setObjectName(QStringLiteral("workspaceMenu"));
+    menu->setObjectName(u"workspaceMenu"_s);
     auto *group = new QActionGroup(menu);
     const auto add = [&](const char *name, Workspace workspace, const QString &tip) {
         const QKeyCombination key(Qt::ControlModifier, Qt::Key(Qt::Key_1 + m_workspaces.size()));
@@ -152,7 +152,7 @@ void ViewMenu::addDocks(const WindowParts &parts, WindowDocks *docks)
                                      [docks] { docks->raise<PixelGrid>()->setFocus(); });
     confineKeyTo(parts.canvas, inspect);
     QMenu *panels = addMenu(tr("&Panels"));
-    panels->setObjectName(QStringLiteral("panelsMenu"));
+    panels->setObjectName(u"panelsMenu"_s);
     constexpr int digits = 10;
     int row = 0;
     for (QAction *toggle : docks->toggles()) {
@@ -166,7 +166,7 @@ void ViewMenu::addDocks(const WindowParts &parts, WindowDocks *docks)
 void ViewMenu::addPalettes(PaletteSwitch *palettes)
 {
     QMenu *menu = addMenu(tr("&Colours"));
-    menu->setObjectName(QStringLiteral("paletteMenu"));
+    menu->setObjectName(u"paletteMenu"_s);
     auto *group = new QActionGroup(menu);
     addChoice(group, menu, "paletteSystem", tr("as the &desktop"), palettes, PaletteChoice::System);
     addChoice(group, menu, "paletteLight", tr("&light"), palettes, PaletteChoice::Light);

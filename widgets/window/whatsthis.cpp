@@ -12,6 +12,8 @@
 
 namespace pixelplumb {
 
+using namespace Qt::StringLiterals;
+
 namespace {
 
 struct PartExplanation {
@@ -218,13 +220,11 @@ QString panelsHtml(const QWidget *window)
     QString html;
     for (const Panel &panel : panels()) {
         const auto *dock = window->findChild<QDockWidget *>(QLatin1String(panel.dock));
-        const auto *toggle
-            = window->findChild<QAction *>(QLatin1String(panel.dock) + QStringLiteral("Toggle"));
-        html += QStringLiteral("<h3>%1 &nbsp;<small>%2 · %3</small></h3><p>%4</p>")
-                    .arg(dock->windowTitle().toHtmlEscaped(),
-                         withoutMnemonic(titleOf(panel.workspace)),
-                         toggle->shortcut().toString(QKeySequence::NativeText),
-                         explanationOf(QLatin1String(panel.dock)).toHtmlEscaped());
+        const auto *toggle = window->findChild<QAction *>(QLatin1String(panel.dock) + u"Toggle"_s);
+        html += u"<h3>%1 &nbsp;<small>%2 · %3</small></h3><p>%4</p>"_s.arg(
+            dock->windowTitle().toHtmlEscaped(), withoutMnemonic(titleOf(panel.workspace)),
+            toggle->shortcut().toString(QKeySequence::NativeText),
+            explanationOf(QLatin1String(panel.dock)).toHtmlEscaped());
     }
     return html;
 }

@@ -108,7 +108,7 @@ void WindowDocks::add(const Panel &panel, const WindowParts &parts)
 void WindowDocks::addToggle(QDockWidget *dock)
 {
     auto *toggle = new QAction(dock->windowTitle(), dock);
-    toggle->setObjectName(dock->objectName() + QStringLiteral("Toggle"));
+    toggle->setObjectName(dock->objectName() + u"Toggle"_s);
     toggle->setCheckable(true);
     m_toggles += toggle;
     toggle->installEventFilter(this);

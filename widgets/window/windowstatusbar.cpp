@@ -37,13 +37,13 @@ StatusFields::StatusFields(const Playhead *playhead, const StudentPicture *stude
     , m_student(student)
     , m_row(new QHBoxLayout(this))
 {
-    setObjectName(QStringLiteral("statusFields"));
+    setObjectName(u"statusFields"_s);
     m_row->setContentsMargins(8, 0, 8, 0);
     m_row->setSpacing(8);
-    m_pixel = addField(QStringLiteral("statusPixel"));
-    m_column = addField(QStringLiteral("statusColumn"));
-    m_step = addField(QStringLiteral("statusStep"));
-    m_settings = addField(QStringLiteral("statusSettings"));
+    m_pixel = addField(u"statusPixel"_s);
+    m_column = addField(u"statusColumn"_s);
+    m_step = addField(u"statusStep"_s);
+    m_settings = addField(u"statusSettings"_s);
     addLine();
     m_verdict
         = named(new ElidedLabel(this), "statusFigures", tr("Wrong pixels of the finished picture"));
@@ -92,7 +92,7 @@ void StatusFields::takeTrace()
         const QString x = widest(frame.firstColumn, frame.width);
         const QString y = widest(frame.firstRow, frame.height);
         const QString end = widest(0, std::int64_t(m_playhead->end()) + 1);
-        keepWide(m_pixel, tr("pixel (%1, %2) %3").arg(x, y, QStringLiteral("#dddddd")));
+        keepWide(m_pixel, tr("pixel (%1, %2) %3").arg(x, y, u"#dddddd"_s));
         keepWide(m_column, tr("column %1, second half").arg(x));
         keepWide(m_step, tr("step %1 of %2").arg(end, end));
         const ScanSettings &settings = traced->scene.settings;
@@ -105,7 +105,7 @@ void StatusFields::takeTrace()
             words += nameText(wordsOf(variant, traced->method->spanAxis).title);
         if (traced->trace->isCut())
             words += tr("recording cut at its limit");
-        m_settings->setText(words.join(QStringLiteral(" · ")));
+        m_settings->setText(words.join(u" · "_s));
     } else {
         m_settings->clear();
     }
@@ -158,18 +158,17 @@ WindowStatusBar::WindowStatusBar(const WindowParts &parts, QWidget *window)
 {
     addFields(parts);
     connect(addJob(parts.files->loading(),
-                   {QStringLiteral("loadProgress"), tr("Progress of opening"),
-                    QStringLiteral("cancelLoad"), tr("Cancel opening")}),
+                   {u"loadProgress"_s, tr("Progress of opening"), u"cancelLoad"_s,
+                    tr("Cancel opening")}),
             &QToolButton::clicked, parts.files, &SceneFiles::cancelLoading);
-    addJob(parts.files->saving(),
-           {QStringLiteral("saveProgress"), tr("Progress of saving"), {}, {}});
+    addJob(parts.files->saving(), {u"saveProgress"_s, tr("Progress of saving"), {}, {}});
     connect(addJob(parts.exports->writing(),
-                   {QStringLiteral("exportProgress"), tr("Progress of exporting"),
-                    QStringLiteral("cancelExport"), tr("Cancel exporting")}),
+                   {u"exportProgress"_s, tr("Progress of exporting"), u"cancelExport"_s,
+                    tr("Cancel exporting")}),
             &QToolButton::clicked, parts.exports, &SceneExports::cancelWriting);
     connect(addJob(parts.tracer->job(),
-                   {QStringLiteral("traceProgress"), tr("Progress of tracing"),
-                    QStringLiteral("cancelTrace"), tr("Cancel tracing")}),
+                   {u"traceProgress"_s, tr("Progress of tracing"), u"cancelTrace"_s,
+                    tr("Cancel tracing")}),
             &QToolButton::clicked, parts.tracer, &SceneTracer::cancel);
     connect(parts.playhead, &Playhead::message, this, &WindowStatusBar::tellBriefly);
     connect(parts.document, &SceneDocument::verticesDropped, this, &WindowStatusBar::tellBriefly);

@@ -8,6 +8,8 @@
 
 namespace pixelplumb {
 
+using namespace Qt::StringLiterals;
+
 namespace {
 
 constexpr auto currentKey = "workspaces/current";
@@ -17,10 +19,7 @@ constexpr auto currentKey = "workspaces/current";
 int layoutVersion() { return 4 * 100 + int(panels().size()); }
 
 /// The settings key of a workspace's layout.
-QString keyOf(Workspace workspace)
-{
-    return QStringLiteral("workspaces/layout%1").arg(int(workspace));
-}
+QString keyOf(Workspace workspace) { return u"workspaces/layout%1"_s.arg(int(workspace)); }
 
 } // namespace
 
@@ -122,7 +121,7 @@ WorkspaceRow::WorkspaceRow(const QList<QAction *> &workspaces, QWidget *parent)
     for (QAction *action : workspaces) {
         auto *button = new QToolButton(this);
         button->setDefaultAction(action);
-        button->setObjectName(action->objectName() + QStringLiteral("Button"));
+        button->setObjectName(action->objectName() + u"Button"_s);
         button->setAccessibleName(action->iconText());
         button->setAutoRaise(true);
         button->setSizePolicy(QSizePolicy::Fixed, QSizePolicy::Ignored);

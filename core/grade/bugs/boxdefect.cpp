@@ -86,8 +86,8 @@ std::vector<Defect> boxDefects()
     addThatKeeps("box-first-column-missing", "The box' first column is left out.", firstColumn);
     addThatKeeps("box-starts-missing", "The box' first row and its first column are left out.",
                  [=](const T &t, const S &s) { return firstRow(t, s) && firstColumn(t, s); });
-    add(QStringLiteral("levels-wrap"), "What becomes of a level that no byte holds?",
-        QStringLiteral("Levels beyond 0 … 255 wrap in a byte. That alone is no mistake."),
+    add(u"levels-wrap"_s, "What becomes of a level that no byte holds?",
+        u"Levels beyond 0 … 255 wrap in a byte. That alone is no mistake."_s,
         {[](TriangleRuns &) {}, LevelOverflow::Wraps});
     defects.back().isRightAlone = true;
     Redrawing outward{[](TriangleRuns &) {}};
@@ -101,21 +101,19 @@ std::vector<Defect> boxDefects()
     for (std::size_t edge = 0; edge < 3; ++edge) {
         const QString from = vertexText(edge);
         const QString to = vertexText(edge + 1);
-        add(QStringLiteral("box-of-vertices-%1-and-%2").arg(from, to), boxQuestion,
-            QStringLiteral("The box is that of the vertices %1 and %2 alone.").arg(from, to),
+        add(u"box-of-vertices-%1-and-%2"_s.arg(from, to), boxQuestion,
+            u"The box is that of the vertices %1 and %2 alone."_s.arg(from, to),
             redrawingThatKeeps([edge](const T &t, const S &s) { return isInBoxOf(edge, t, s); }));
-        add(QStringLiteral("strict-at-edge-%1").arg(edge), edgesQuestion,
-            QStringLiteral("The edge from vertex %1 to vertex %2 is tested by > in "
-                           "place of ≥, the "
-                           "others are not.")
-                .arg(from, to),
+        add(u"strict-at-edge-%1"_s.arg(edge), edgesQuestion,
+            u"The edge from vertex %1 to vertex %2 is tested by > in "
+            "place of ≥, the "
+            "others are not."_s.arg(from, to),
             redrawingThatKeeps([edge](const T &t, const S &s) { return !isOn(edge, t, s); }));
         defects.back().choice = QString::fromLatin1(ruleChoice);
-        add(QStringLiteral("strict-but-at-edge-%1").arg(edge), edgesQuestion,
-            QStringLiteral("Two edges are tested by > in place of ≥, that from "
-                           "vertex %1 to vertex "
-                           "%2 is not.")
-                .arg(from, to),
+        add(u"strict-but-at-edge-%1"_s.arg(edge), edgesQuestion,
+            u"Two edges are tested by > in place of ≥, that from "
+            "vertex %1 to vertex "
+            "%2 is not."_s.arg(from, to),
             redrawingThatKeeps([edge](const T &t, const S &s) {
                 return !isOn((edge + 1) % 3, t, s) && !isOn((edge + 2) % 3, t, s);
             }));

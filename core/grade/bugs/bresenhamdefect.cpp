@@ -80,21 +80,19 @@ Defect defectBy(const ProgramLine &program, const QString &id, const char *forSt
                 const QString &forAssistant)
 {
     const auto redraw = [program](const Scene &scene) { return drawnBy(program, scene); };
-    return {id,    QString::fromUtf8(forStudent), forAssistant, {}, redraw, {},
-            false, QStringLiteral("lines")};
+    return {id, QString::fromUtf8(forStudent), forAssistant, {}, redraw, {}, false, u"lines"_s};
 }
 
 Defect defectFrom(LineStart start, const LineRow &row)
 {
     const bool fromLeft = start == LineStart::LeastAlong;
     const QString end = fromLeft
-        ? QStringLiteral("; steps begin at the end with the lesser x, of steep lines y.")
-        : QStringLiteral("; steps begin at a line's first end.");
+        ? u"; steps begin at the end with the lesser x, of steep lines y."_s
+        : u"; steps begin at a line's first end."_s;
     ProgramLine program = row.program;
     program.start = start;
-    return defectBy(
-        program, (fromLeft ? QStringLiteral("sorted-") : QString()) + QString::fromLatin1(row.id),
-        row.forStudent, QString::fromUtf8(row.forAssistant) + end);
+    return defectBy(program, (fromLeft ? u"sorted-"_s : QString()) + QString::fromLatin1(row.id),
+                    row.forStudent, QString::fromUtf8(row.forAssistant) + end);
 }
 
 /// Loops that only go up along the line: what happens to lines that are not sorted so.
@@ -159,36 +157,36 @@ std::vector<Defect> bresenhamDefects()
     std::ranges::for_each(decisionSteps(), add);
     std::ranges::for_each(lineSteps(), add);
     appendDescending(defects);
-    defects.push_back(defectBy(
-        {.start = LineStart::FirstEnd,
-         .descending = DescendingLine::Lost,
-         .across = AcrossStep::NoneDownward,
-         .steep = SteepLine::AsFlat},
-        QStringLiteral("first-octant-unsorted"), octantQuestion,
-        QStringLiteral("The steps are those of the first octant: lines whose second end is "
-                       "left of the first are not drawn, steep ones step across at each step, "
-                       "falling ones stay in their first row.")));
+    defects.push_back(
+        defectBy({.start = LineStart::FirstEnd,
+                  .descending = DescendingLine::Lost,
+                  .across = AcrossStep::NoneDownward,
+                  .steep = SteepLine::AsFlat},
+                 u"first-octant-unsorted"_s, octantQuestion,
+                 u"The steps are those of the first octant: lines whose second end is "
+                 "left of the first are not drawn, steep ones step across at each step, "
+                 "falling ones stay in their first row."_s));
     // From a line's first end this would be steep-lines-as-flat.
-    defects.push_back(defectBy(
-        {.start = LineStart::LeastAlong, .steep = SteepLine::OwnDifferences},
-        QStringLiteral("sorted-steep-lines-by-own-differences"), octantQuestion,
-        QStringLiteral("Of steep lines x and y are exchanged, Δx and Δy are not: from the end with "
-                       "the lesser y they step across at each step, only Δx times.")));
+    defects.push_back(
+        defectBy({.start = LineStart::LeastAlong, .steep = SteepLine::OwnDifferences},
+                 u"sorted-steep-lines-by-own-differences"_s, octantQuestion,
+                 u"Of steep lines x and y are exchanged, Δx and Δy are not: from the end with "
+                 "the lesser y they step across at each step, only Δx times."_s));
     // From a line's first end these would be a scene's defect of all methods.
-    defects.push_back(defectBy(
-        {.start = LineStart::LeastAlong, .across = AcrossStep::NoneDownward},
-        QStringLiteral("sorted-falling-lines-level"), octantQuestion,
-        QStringLiteral("Lines that fall from left to right stay in their first row, steep ones "
-                       "that go up and to the left in their first column: Δy is negative, and so "
-                       "is p.")));
+    defects.push_back(
+        defectBy({.start = LineStart::LeastAlong, .across = AcrossStep::NoneDownward},
+                 u"sorted-falling-lines-level"_s, octantQuestion,
+                 u"Lines that fall from left to right stay in their first row, steep ones "
+                 "that go up and to the left in their first column: Δy is negative, and so "
+                 "is p."_s));
     defects.push_back(defectBy({.start = LineStart::LeastAlong, .colours = LineColours::OfStart},
-                               QStringLiteral("lines-of-left-colour"), lineColourQuestion,
-                               QStringLiteral("A line has the colour of the end with the lesser x, "
-                                              "of steep lines y, alone.")));
+                               u"lines-of-left-colour"_s, lineColourQuestion,
+                               u"A line has the colour of the end with the lesser x, "
+                               "of steep lines y, alone."_s));
     defects.push_back(defectBy({.start = LineStart::LeastAlong, .colours = LineColours::AsGiven},
-                               QStringLiteral("line-colours-not-sorted"), lineColourQuestion,
-                               QStringLiteral("The ends are sorted by x, of steep lines by y, and "
-                                              "their colours are not.")));
+                               u"line-colours-not-sorted"_s, lineColourQuestion,
+                               u"The ends are sorted by x, of steep lines by y, and "
+                               "their colours are not."_s));
     return defects;
 }
 

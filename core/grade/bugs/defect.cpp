@@ -30,8 +30,7 @@ void appendVariants(std::vector<Defect> &defects, const Scene &scene)
                           return true;
                       }};
         if (variant == Variant::StayAtZero && drawsNearestPixels(scene)) {
-            defect.forAssistant
-                += QStringLiteral(" Both pixels are equally near: that alone is no mistake.");
+            defect.forAssistant += u" Both pixels are equally near: that alone is no mistake."_s;
             defect.isRightAlone = true;
         }
         appendWhereItApplies(defects, scene, {}, std::move(defect));
@@ -43,58 +42,52 @@ void appendSettings(std::vector<Defect> &defects, const Scene &scene)
     for (const FillRule rule : allFillRules)
         appendWhereItApplies(
             defects, scene, QLatin1String(ruleChoice),
-            {QStringLiteral("rule-") + nameText(nameOf(rule)),
-             QStringLiteral("Look at pixels exactly on an edge, and at neighbours' shared "
-                            "edges."),
-             QStringLiteral("The fill rule is %1 in place of %2.")
-                 .arg(nameText(nameOf(rule)), nameText(nameOf(scene.settings.fillRule))),
+            {u"rule-"_s + nameText(nameOf(rule)),
+             u"Look at pixels exactly on an edge, and at neighbours' shared "
+             "edges."_s,
+             u"The fill rule is %1 in place of %2."_s.arg(
+                 nameText(nameOf(rule)), nameText(nameOf(scene.settings.fillRule))),
              [rule](Scene &changed) {
                  changed.settings.fillRule = rule;
                  return true;
              }});
     for (const ByteRounding rounding : allByteRoundings)
-        appendWhereItApplies(
-            defects, scene, QLatin1String(roundingChoice),
-            {QStringLiteral("rounding-") + nameText(nameOf(rounding)),
-             QStringLiteral("Look at how a colour becomes a byte."),
-             rounding == ByteRounding::Nearest
-                 ? QStringLiteral("Levels are rounded to the nearest byte, not cut: ⌊v + ½⌋.")
-                 : QStringLiteral("Levels are cut to bytes, not rounded: ⌊v⌋ in place of "
-                                  "⌊v + ½⌋."),
-             [rounding](Scene &changed) {
-                 changed.settings.rounding = rounding;
-                 return true;
-             }});
+        appendWhereItApplies(defects, scene, QLatin1String(roundingChoice),
+                             {u"rounding-"_s + nameText(nameOf(rounding)),
+                              u"Look at how a colour becomes a byte."_s,
+                              rounding == ByteRounding::Nearest
+                                  ? u"Levels are rounded to the nearest byte, not cut: ⌊v + ½⌋."_s
+                                  : u"Levels are cut to bytes, not rounded: ⌊v⌋ in place of "
+                                    "⌊v + ½⌋."_s,
+                              [rounding](Scene &changed) {
+                                  changed.settings.rounding = rounding;
+                                  return true;
+                              }});
     for (const Arithmetic arithmetic : allArithmetics)
-        appendWhereItApplies(
-            defects, scene, QLatin1String(arithmeticChoice),
-            {QStringLiteral("arithmetic-") + nameText(nameOf(arithmetic)),
-             QStringLiteral("What your numbers are kept in decides pixels: how large is the "
-                            "error after many additions?"),
-             QStringLiteral("It is computed in %1.").arg(nameText(nameOf(arithmetic))),
-             [arithmetic](Scene &changed) {
-                 changed.settings.arithmetic = arithmetic;
-                 return true;
-             }});
+        appendWhereItApplies(defects, scene, QLatin1String(arithmeticChoice),
+                             {u"arithmetic-"_s + nameText(nameOf(arithmetic)),
+                              u"What your numbers are kept in decides pixels: how large is the "
+                              "error after many additions?"_s,
+                              u"It is computed in %1."_s.arg(nameText(nameOf(arithmetic))),
+                              [arithmetic](Scene &changed) {
+                                  changed.settings.arithmetic = arithmetic;
+                                  return true;
+                              }});
 }
 
 /// Where to look, for each kind of change of a whole picture.
 QString questionOf(const QString &kind)
 {
     static const QHash<QString, QString> questions = {
-        {QStringLiteral("shift"),
-         QStringLiteral("Where in the picture is the frame's first pixel?")},
-        {QStringLiteral("flip"),
-         QStringLiteral("Which of the picture's rows is written first, and which of the two "
-                        "coordinates counts rows?")},
-        {QStringLiteral("stride"),
-         QStringLiteral("At which address is the pixel (x, y) written, and where is it read?")},
-        {QStringLiteral("channels"), QStringLiteral("In which order are R, G and B stored?")},
-        {QStringLiteral("levels"),
-         QStringLiteral("Are the bytes in the file those that were computed?")},
-        {QStringLiteral("mask"), QStringLiteral("Which colour is written?")},
-        {QStringLiteral("background"),
-         QStringLiteral("What is in the frame before anything is drawn?")},
+        {u"shift"_s, u"Where in the picture is the frame's first pixel?"_s},
+        {u"flip"_s,
+         u"Which of the picture's rows is written first, and which of the two "
+         "coordinates counts rows?"_s},
+        {u"stride"_s, u"At which address is the pixel (x, y) written, and where is it read?"_s},
+        {u"channels"_s, u"In which order are R, G and B stored?"_s},
+        {u"levels"_s, u"Are the bytes in the file those that were computed?"_s},
+        {u"mask"_s, u"Which colour is written?"_s},
+        {u"background"_s, u"What is in the frame before anything is drawn?"_s},
     };
     return questions.value(kind);
 }
@@ -103,10 +96,9 @@ void appendPictures(std::vector<Defect> &defects, const Scene &scene)
 {
     // Comes first: another background is still possible with it.
     defects.push_back(
-        {.id = QStringLiteral("nothing-drawn"),
-         .forStudent
-         = QStringLiteral("Is the picture that is written the one that was drawn into?"),
-         .forAssistant = QStringLiteral("Nothing of the scene is drawn."),
+        {.id = u"nothing-drawn"_s,
+         .forStudent = u"Is the picture that is written the one that was drawn into?"_s,
+         .forAssistant = u"Nothing of the scene is drawn."_s,
          .changePicture = ruleOf([](const Picture &, int, int, const Colour &background) {
              return ChangedPixel{background, 0};
          }),
@@ -117,7 +109,7 @@ void appendPictures(std::vector<Defect> &defects, const Scene &scene)
         defects.push_back({id,
                            questionOf(change.kind),
                            change.sentence.isEmpty()
-                               ? QStringLiteral("Done to the whole picture: %1.").arg(change.name)
+                               ? u"Done to the whole picture: %1."_s.arg(change.name)
                                : change.sentence,
                            {},
                            {},
@@ -175,8 +167,8 @@ Scene proneScene(const Scene &conventions)
 
 QString undoingText()
 {
-    return QStringLiteral("the variants %1 and %2 cancel each other: the divisor is Δ again")
-        .arg(nameText(nameOf(Variant::DivisorMinusOne)), nameText(nameOf(Variant::DivisorPlusOne)));
+    return u"the variants %1 and %2 cancel each other: the divisor is Δ again"_s.arg(
+        nameText(nameOf(Variant::DivisorMinusOne)), nameText(nameOf(Variant::DivisorPlusOne)));
 }
 
 Defect redrawnBy(const Redrawing &redrawing, Defect words)

@@ -160,37 +160,34 @@ void append(std::vector<Defect> &defects, const Rows &rows)
 /// "from vertex 0 to vertex 1"
 QString endsOf(std::size_t edge)
 {
-    return QStringLiteral("from vertex %1 to vertex %2").arg(edge % 3).arg((edge + 1) % 3);
+    return u"from vertex %1 to vertex %2"_s.arg(edge % 3).arg((edge + 1) % 3);
 }
 
 void appendOfEdge(std::vector<Defect> &defects, std::size_t edge)
 {
-    const QString name = QStringLiteral("edge-%1").arg(edge);
+    const QString name = u"edge-%1"_s.arg(edge);
     const QString opposite = QString::number((edge + 2) % 3);
     EdgeTestBugs bugs;
     bugs.questions[edge] = EdgeQuestion::Nothing;
-    append(defects, name + QStringLiteral("-not-tested"), testQuestion,
-           QStringLiteral("The edge %1 is not tested.").arg(endsOf(edge)), bugs);
+    append(defects, name + u"-not-tested"_s, testQuestion,
+           u"The edge %1 is not tested."_s.arg(endsOf(edge)), bugs);
     bugs.questions[edge] = EdgeQuestion::IsOutside;
-    append(defects, name + QStringLiteral("-tested-outside"), testQuestion,
-           QStringLiteral("The edge %1 is tested with the wrong sign: ≤ 0 in place of ≥ 0.")
-               .arg(endsOf(edge)),
+    append(defects, name + u"-tested-outside"_s, testQuestion,
+           u"The edge %1 is tested with the wrong sign: ≤ 0 in place of ≥ 0."_s.arg(endsOf(edge)),
            bugs);
     bugs = {};
     bugs.values[edge] = EdgeValue::Negated;
-    append(defects, name + QStringLiteral("-negated"), testQuestion,
-           QStringLiteral("The edge function %1 has the wrong sign, in the test and in the weight "
-                          "of vertex %2.")
-               .arg(endsOf(edge), opposite),
+    append(defects, name + u"-negated"_s, testQuestion,
+           u"The edge function %1 has the wrong sign, in the test and in the weight "
+           "of vertex %2."_s.arg(endsOf(edge), opposite),
            bugs);
     for (const std::size_t other : {std::size_t(0), std::size_t(1), std::size_t(2)}) {
         if (other == edge)
             continue;
         bugs.values[edge] = other == (edge + 1) % 3 ? EdgeValue::OfNext : EdgeValue::OfPrevious;
-        append(defects, name + QStringLiteral("-is-edge-%1").arg(other), functionQuestion,
-               QStringLiteral("In place of the edge function %1 that %2 is computed again, for the "
-                              "test and for the weight of vertex %3.")
-                   .arg(endsOf(edge), endsOf(other), opposite),
+        append(defects, name + u"-is-edge-%1"_s.arg(other), functionQuestion,
+               u"In place of the edge function %1 that %2 is computed again, for the "
+               "test and for the weight of vertex %3."_s.arg(endsOf(edge), endsOf(other), opposite),
                bugs);
     }
 }
@@ -200,28 +197,24 @@ void appendOfWeight(std::vector<Defect> &defects, std::size_t vertex)
     const auto add = [&](const QString &id, const QString &what, WeightForm form) {
         EdgeTestBugs bugs;
         bugs.weights[vertex] = form;
-        append(defects, QStringLiteral("weight-%1").arg(vertex) + id, weightQuestion,
-               QStringLiteral("The weight of vertex %1 ").arg(vertex) + what, bugs);
+        append(defects, u"weight-%1"_s.arg(vertex) + id, weightQuestion,
+               u"The weight of vertex %1 "_s.arg(vertex) + what, bugs);
     };
-    add(QStringLiteral("-missing"), QStringLiteral("times its colour is not added."),
-        WeightForm::Missing);
+    add(u"-missing"_s, u"times its colour is not added."_s, WeightForm::Missing);
     for (const std::size_t other : {std::size_t(0), std::size_t(1), std::size_t(2)}) {
         if (other == vertex)
             continue;
         const std::size_t third = 3 - vertex - other;
         const bool isNext = other == (vertex + 1) % 3;
-        add(QStringLiteral("-is-weight-%1").arg(other),
-            QStringLiteral("is that of vertex %1 again.").arg(other),
+        add(u"-is-weight-%1"_s.arg(other), u"is that of vertex %1 again."_s.arg(other),
             isNext ? WeightForm::OfNext : WeightForm::OfPrevious);
-        add(QStringLiteral("-adds-weight-%1").arg(other),
-            QStringLiteral("is 1 minus that of vertex %1, plus that of vertex %2, not minus it.")
-                .arg(third)
-                .arg(other),
+        add(u"-adds-weight-%1"_s.arg(other),
+            u"is 1 minus that of vertex %1, plus that of vertex %2, not minus it."_s.arg(third).arg(
+                other),
             isNext ? WeightForm::AddsNext : WeightForm::AddsPrevious);
-        add(QStringLiteral("-leaves-weight-%1").arg(other),
-            QStringLiteral("is 1 minus that of vertex %1 alone: that of vertex %2 is not "
-                           "subtracted.")
-                .arg(third)
+        add(u"-leaves-weight-%1"_s.arg(other),
+            u"is 1 minus that of vertex %1 alone: that of vertex %2 is not "
+            "subtracted."_s.arg(third)
                 .arg(other),
             isNext ? WeightForm::LeavesNext : WeightForm::LeavesPrevious);
     }
@@ -251,13 +244,13 @@ std::vector<Defect> edgeTestDefectsFor(const Scene &scene)
     append(defects, weightRows());
     if (!leavesShort(scene))
         return defects;
-    append(defects, QStringLiteral("edge-products-in-16-bits"), widthQuestion,
-           QStringLiteral("The two products of an edge function are each kept in 16 bits: beyond "
-                          "±32,767 they wrap before they are subtracted."),
+    append(defects, u"edge-products-in-16-bits"_s, widthQuestion,
+           u"The two products of an edge function are each kept in 16 bits: beyond "
+           "±32,767 they wrap before they are subtracted."_s,
            {.function = EdgeFunctionForm::ProductsInShort});
-    append(defects, QStringLiteral("edge-functions-in-16-bits"), widthQuestion,
-           QStringLiteral("Edge functions are kept in 16 bits: beyond ±32,767 they wrap, and "
-                          "large triangles fall apart."),
+    append(defects, u"edge-functions-in-16-bits"_s, widthQuestion,
+           u"Edge functions are kept in 16 bits: beyond ±32,767 they wrap, and "
+           "large triangles fall apart."_s,
            {.function = EdgeFunctionForm::InShort});
     return defects;
 }

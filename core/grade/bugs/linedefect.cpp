@@ -104,13 +104,13 @@ void appendHalvesDown(std::vector<Defect> &defects, const Scene &scene)
             roundHalvesDown(line, isEquation ? LineAxis::X : lineAxisOf(line.from, line.to));
         });
     };
-    defects.push_back({.id = QStringLiteral("rounds-halves-down"),
-                       .forStudent = QStringLiteral("Which of two equally near pixels is drawn?"),
-                       .forAssistant = QStringLiteral(
-                           "Halves are rounded down, ⌈v − ½⌉ in place of ⌊v + ½⌋. Both pixels are "
-                           "equally near: that alone is no mistake."),
+    defects.push_back({.id = u"rounds-halves-down"_s,
+                       .forStudent = u"Which of two equally near pixels is drawn?"_s,
+                       .forAssistant
+                       = u"Halves are rounded down, ⌈v − ½⌉ in place of ⌊v + ½⌋. Both pixels are "
+                         "equally near: that alone is no mistake."_s,
                        .redraw = redraw,
-                       .choice = QStringLiteral("lines"),
+                       .choice = u"lines"_s,
                        .isRightAlone = true});
 }
 
@@ -132,7 +132,7 @@ void append(std::vector<Defect> &defects, const char *id, const char *forStudent
                        [change](const Scene &scene) { return redrawnLines(scene, change); },
                        {},
                        false,
-                       QStringLiteral("lines")});
+                       u"lines"_s});
 }
 
 } // namespace
@@ -158,7 +158,7 @@ std::vector<Defect> lineDefectsFor(const Scene &scene)
         std::ranges::move(bresenhamDefects(), std::back_inserter(defects));
     else if (drawsNearestPixels(scene))
         appendHalvesDown(defects, scene);
-    if (method.id != QStringLiteral("line-slope-intercept"))
+    if (method.id != u"line-slope-intercept"_s)
         append(defects, "one-pixel-a-column", octants,
                "Steep lines, too, have one pixel a column: x and y are not exchanged.",
                omitBetweenColumns);

@@ -31,7 +31,7 @@ void appendPlaces(std::vector<Defect> &defects, const Scene &scene)
                                         return true;
                                     }});
           };
-    choice = QStringLiteral("places");
+    choice = u"places"_s;
     constexpr const char *places = "Do vertices between pixels keep their places?";
     add("vertices-truncated", places, "Vertices are cast to whole pixels.",
         [](LatticePoint &point) {
@@ -45,7 +45,7 @@ void appendPlaces(std::vector<Defect> &defects, const Scene &scene)
         [](LatticePoint &point) { point.x = truncated(point.x); });
     add("y-truncated", places, "y of the vertices is cast to whole pixels, x is not.",
         [](LatticePoint &point) { point.y = truncated(point.y); });
-    choice = QStringLiteral("centre");
+    choice = u"centre"_s;
     constexpr const char *centre = "Where in a pixel is its sample?";
     constexpr Lattice half = unitsPerPixel / 2;
     add("half-pixel-down", centre, "Samples stand half a pixel towards larger x and y.",
@@ -89,9 +89,9 @@ void appendColours(std::vector<Defect> &defects, const Scene &scene)
     constexpr std::array<std::array<std::size_t, 3>, 5> orders
         = {{{1, 2, 0}, {2, 0, 1}, {1, 0, 2}, {0, 2, 1}, {2, 1, 0}}};
     using Change = std::function<void(Triangle & triangle, ByteRounding rounding)>;
-    QString question = QStringLiteral("Which vertex has which colour?");
+    QString question = u"Which vertex has which colour?"_s;
     const auto add = [&](const QString &id, const QString &forAssistant, const Change &change) {
-        appendWhereItApplies(defects, scene, QStringLiteral("colours"),
+        appendWhereItApplies(defects, scene, u"colours"_s,
                              {id, question, forAssistant, [change](Scene &changed) {
                                   for (Triangle &triangle : changed.triangles)
                                       change(triangle, changed.settings.rounding);
@@ -109,41 +109,37 @@ void appendColours(std::vector<Defect> &defects, const Scene &scene)
         QString digits;
         for (const std::size_t index : order)
             digits += QString::number(index);
-        add(QStringLiteral("colours-") + digits,
-            QStringLiteral("The vertices 0, 1, 2 have the colours of %1, %2, %3.")
-                .arg(order[0])
+        add(u"colours-"_s + digits,
+            u"The vertices 0, 1, 2 have the colours of %1, %2, %3."_s.arg(order[0])
                 .arg(order[1])
                 .arg(order[2]),
             takenFrom(order));
     }
-    question = QStringLiteral("Does the colour change across a triangle?");
-    add(QStringLiteral("flat-first"),
-        QStringLiteral("Every triangle has its first vertex' colour alone."), takenFrom({0, 0, 0}));
-    add(QStringLiteral("flat-second"),
-        QStringLiteral("Every triangle has its second vertex' colour alone."),
+    question = u"Does the colour change across a triangle?"_s;
+    add(u"flat-first"_s, u"Every triangle has its first vertex' colour alone."_s,
+        takenFrom({0, 0, 0}));
+    add(u"flat-second"_s, u"Every triangle has its second vertex' colour alone."_s,
         takenFrom({1, 1, 1}));
-    add(QStringLiteral("flat-last"),
-        QStringLiteral("Every triangle has its last vertex' colour alone."), takenFrom({2, 2, 2}));
-    add(QStringLiteral("flat-mean"),
-        QStringLiteral("Every triangle has one colour, the mean of its vertices'."), takeMean);
+    add(u"flat-last"_s, u"Every triangle has its last vertex' colour alone."_s,
+        takenFrom({2, 2, 2}));
+    add(u"flat-mean"_s, u"Every triangle has one colour, the mean of its vertices'."_s, takeMean);
 }
 
 /// The mistake of setting the vertices' colours only once.
 void appendColoursOfFirst(std::vector<Defect> &defects, const Scene &scene)
 {
-    appendWhereItApplies(defects, scene, QStringLiteral("colours"),
-                         {QStringLiteral("colours-of-first-triangle"),
-                          QStringLiteral("Which colours has the second triangle?"),
-                          QStringLiteral("The vertices of all triangles have the colours of the "
-                                         "first one's, in the order in which they are given."),
-                          [](Scene &changed) {
-                              for (Triangle &triangle : changed.triangles) {
-                                  for (std::size_t i = 0; i < 3; ++i)
-                                      triangle.vertices[i].colour
-                                          = changed.triangles.front().vertices[i].colour;
-                              }
-                              return true;
-                          }});
+    appendWhereItApplies(
+        defects, scene, u"colours"_s,
+        {u"colours-of-first-triangle"_s, u"Which colours has the second triangle?"_s,
+         u"The vertices of all triangles have the colours of the "
+         "first one's, in the order in which they are given."_s,
+         [](Scene &changed) {
+             for (Triangle &triangle : changed.triangles) {
+                 for (std::size_t i = 0; i < 3; ++i)
+                     triangle.vertices[i].colour = changed.triangles.front().vertices[i].colour;
+             }
+             return true;
+         }});
 }
 
 enum class PrimitiveEnd { First, Last };
@@ -176,9 +172,9 @@ void appendChannels(std::vector<Defect> &defects, const Scene &scene)
     constexpr std::array<const char *, 3> names = {"red", "green", "blue"};
     const auto add = [&](const QString &id, const QString &forAssistant,
                          const std::function<void(Colour & colour)> &change) {
-        appendWhereItApplies(defects, scene, QStringLiteral("vertex channels"),
-                             {id, QStringLiteral("Are all three channels treated alike?"),
-                              forAssistant, [change](Scene &changed) {
+        appendWhereItApplies(defects, scene, u"vertex channels"_s,
+                             {id, u"Are all three channels treated alike?"_s, forAssistant,
+                              [change](Scene &changed) {
                                   for (Triangle &triangle : changed.triangles) {
                                       for (Vertex &vertex : triangle.vertices)
                                           change(vertex.colour);
@@ -193,20 +189,18 @@ void appendChannels(std::vector<Defect> &defects, const Scene &scene)
             if (from == to)
                 continue;
             const QString other = QString::fromLatin1(names[from]);
-            add(name + QStringLiteral("-from-") + other,
-                QStringLiteral("%1 is computed from the %2 of the vertices.").arg(title, other),
+            add(name + u"-from-"_s + other,
+                u"%1 is computed from the %2 of the vertices."_s.arg(title, other),
                 [to, from](Colour &colour) { colour.channels[to] = colour.channels[from]; });
         }
-        add(name + QStringLiteral("-not-set"),
-            QStringLiteral("%1 is not set: it is 0 in all that is drawn.").arg(title),
+        add(name + u"-not-set"_s, u"%1 is not set: it is 0 in all that is drawn."_s.arg(title),
             [to](Colour &colour) { colour.channels[to] = 0; });
     }
     // In a program that was written for red and never extended.
-    add(QStringLiteral("red-alone"),
-        QStringLiteral("Only red is computed: green and blue are 0 in all that is drawn."),
+    add(u"red-alone"_s, u"Only red is computed: green and blue are 0 in all that is drawn."_s,
         [](Colour &colour) { colour.channels[1] = colour.channels[2] = 0; });
-    add(QStringLiteral("all-from-red"),
-        QStringLiteral("Green and blue are computed from the red of the vertices: all is gray."),
+    add(u"all-from-red"_s,
+        u"Green and blue are computed from the red of the vertices: all is gray."_s,
         [](Colour &colour) { colour.channels[1] = colour.channels[2] = colour.channels[0]; });
 }
 
@@ -214,14 +208,14 @@ void appendPrimitives(std::vector<Defect> &defects, const Scene &scene)
 {
     const auto addLess = [&](Defect defect) {
         defect.leavesOut = true;
-        appendWhereItApplies(defects, scene, QStringLiteral("triangles"), std::move(defect));
+        appendWhereItApplies(defects, scene, u"triangles"_s, std::move(defect));
     };
     const auto cull = [&](const char *id, const char *turn, int sign) {
         addLess({QString::fromLatin1(id),
-                 QStringLiteral("Are all triangles there, whichever way "
-                                "their vertices turn?"),
-                 QStringLiteral("Triangles whose vertices turn %1, taking y upward, are not drawn.")
-                     .arg(QString::fromLatin1(turn)),
+                 u"Are all triangles there, whichever way "
+                 "their vertices turn?"_s,
+                 u"Triangles whose vertices turn %1, taking y upward, are not drawn."_s.arg(
+                     QString::fromLatin1(turn)),
                  [sign](Scene &changed) {
                      const auto isCulled = [sign](const Triangle &triangle) {
                          const auto &[a, b, c] = triangle.vertices;
@@ -234,22 +228,21 @@ void appendPrimitives(std::vector<Defect> &defects, const Scene &scene)
     };
     cull("culls-clockwise", "clockwise", -1);
     cull("culls-counter-clockwise", "counter-clockwise", 1);
-    appendWhereItApplies(defects, scene, QStringLiteral("triangles"),
-                         {QStringLiteral("reverse-order"),
-                          QStringLiteral("In which order are they painted?"),
-                          QStringLiteral("The triangles are painted from the last to the first."),
+    appendWhereItApplies(defects, scene, u"triangles"_s,
+                         {u"reverse-order"_s, u"In which order are they painted?"_s,
+                          u"The triangles are painted from the last to the first."_s,
                           [](Scene &changed) {
                               std::ranges::reverse(changed.triangles);
                               return changed.attributes.empty();
                           }});
     const auto keepOne = [&](const char *id, const char *which, PrimitiveEnd end) {
-        addLess({QString::fromLatin1(id), QStringLiteral("Is all of the scene there?"),
-                 QStringLiteral("Only the %1 of the scene's primitives is drawn.")
-                     .arg(QString::fromLatin1(which)),
-                 [end](Scene &changed) {
-                     const bool isPlain = changed.attributes.empty() && changed.solids.empty();
-                     return isPlain && keepOnly(end, changed);
-                 }});
+        addLess(
+            {QString::fromLatin1(id), u"Is all of the scene there?"_s,
+             u"Only the %1 of the scene's primitives is drawn."_s.arg(QString::fromLatin1(which)),
+             [end](Scene &changed) {
+                 const bool isPlain = changed.attributes.empty() && changed.solids.empty();
+                 return isPlain && keepOnly(end, changed);
+             }});
     };
     keepOne("only-first-drawn", "first", PrimitiveEnd::First);
     keepOne("only-last-drawn", "last", PrimitiveEnd::Last);

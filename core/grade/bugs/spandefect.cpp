@@ -131,20 +131,20 @@ void appendSamplesOnBounds(std::vector<Defect> &defects, const Scene &scene, Spa
     const Interval samples
         = (axis == SpanAxis::Row ? rowIntervals(rule) : columnIntervals(rule.rule)).rows;
     const auto add = [&](const QString &id, const char *what, const ScanBugs &bugs, bool isOwned) {
-        const auto words = isOwned ? QStringLiteral("%1 is left out: < in place of ≤.")
-                                   : QStringLiteral("%1 is drawn: ≤ in place of <.");
-        defects.push_back(redrawnDefect(
-            (isOwned ? QStringLiteral("open-at-") : QStringLiteral("closed-at-")) + id,
-            QStringLiteral("Does a sample that lies on an edge belong to a %1?"),
-            words.arg(QString::fromUtf8(what)), redrawingBy(bugs), axis));
+        const auto words
+            = isOwned ? u"%1 is left out: < in place of ≤."_s : u"%1 is drawn: ≤ in place of <."_s;
+        defects.push_back(redrawnDefect((isOwned ? u"open-at-"_s : u"closed-at-"_s) + id,
+                                        u"Does a sample that lies on an edge belong to a %1?"_s,
+                                        words.arg(QString::fromUtf8(what)), redrawingBy(bugs),
+                                        axis));
     };
     constexpr auto otherwise = EndRounding::OnBoundOtherwise;
-    add(QStringLiteral("lower-bound"), "A sample on the lower bound of a %1", {.first = otherwise},
+    add(u"lower-bound"_s, "A sample on the lower bound of a %1", {.first = otherwise},
         ownsFirst(samples));
-    add(QStringLiteral("upper-bound"), "A sample on the upper bound of a %1", {.last = otherwise},
+    add(u"upper-bound"_s, "A sample on the upper bound of a %1", {.last = otherwise},
         ownsLast(samples));
     if (ownsFirst(samples) == ownsLast(samples))
-        add(QStringLiteral("bounds"), "A sample on either bound of a %1",
+        add(u"bounds"_s, "A sample on either bound of a %1",
             {.first = otherwise, .last = otherwise}, ownsFirst(samples));
 }
 
@@ -178,11 +178,10 @@ std::vector<Defect> spanDefectsFor(const Scene &scene)
     }
     if (walksEdges && leavesShort(scene))
         defects.push_back(redrawnDefect(
-            QStringLiteral("interpolation-in-16-bits"),
-            QStringLiteral("How large do your numbers get, and what holds them?"),
-            QStringLiteral("An edge's %3 is computed in whole numbers, %3₀ + (%3₁ − %3₀)·(%2 − "
-                           "%2₀)/(%2₁ − %2₀), and the product is kept in 16 bits: beyond ±32,767 "
-                           "it wraps, and the edges of large triangles jump."),
+            u"interpolation-in-16-bits"_s, u"How large do your numbers get, and what holds them?"_s,
+            u"An edge's %3 is computed in whole numbers, %3₀ + (%3₁ − %3₀)·(%2 − "
+            "%2₀)/(%2₁ − %2₀), and the product is kept in 16 bits: beyond ±32,767 "
+            "it wraps, and the edges of large triangles jump."_s,
             redrawingBy(
                 {.edgePlaces = Truncation::TowardZero, .edgeStoring = Storing::AddedOfShorts}),
             axis));
@@ -203,10 +202,8 @@ std::vector<Defect> spanDefectsFor(const Scene &scene)
     }
     const auto unchanged = [](TriangleRuns &) {};
     defects.push_back(redrawnDefect(
-        QStringLiteral("parity"),
-        QStringLiteral("What happens to a pixel that two triangles paint?"),
-        QStringLiteral(
-            "Pixels are toggled, not painted: what two triangles paint is background again."),
+        u"parity"_s, u"What happens to a pixel that two triangles paint?"_s,
+        u"Pixels are toggled, not painted: what two triangles paint is background again."_s,
         {unchanged, LevelOverflow::Clamps, Repainting::Toggles}, axis));
     return defects;
 }

@@ -48,29 +48,28 @@ std::vector<NamedWalk> namedWalks(const WalkRow &row)
     if (!down)
         return {named};
     NamedWalk ofPython = named;
-    ofPython.id.replace(QStringLiteral("whole-"), QStringLiteral("floor-"));
+    ofPython.id.replace(u"whole-"_s, u"floor-"_s);
     ofPython.bugs = *down;
-    ofPython.forAssistant
-        += QStringLiteral(" A quotient is rounded down, as by // in Python, not toward 0.");
-    named.forAssistant += QStringLiteral(" A quotient is cut toward 0, as by / in C.");
+    ofPython.forAssistant += u" A quotient is rounded down, as by // in Python, not toward 0."_s;
+    named.forAssistant += u" A quotient is cut toward 0, as by / in C."_s;
     return {named, ofPython};
 }
 
 QString orderSentence(SpanOrder order)
 {
     return order == SpanOrder::Descending
-        ? QStringLiteral(" The rows are gone through from the greatest y down.")
-        : QStringLiteral(" The rows are gone through from the least y up.");
+        ? u" The rows are gone through from the greatest y down."_s
+        : u" The rows are gone through from the least y up."_s;
 }
 
 /// Fills in the distances from a vertex to the spans after and before it.
 NamedWalk withWays(NamedWalk named, SpanOrder order)
 {
     const bool isUpward = order == SpanOrder::Ascending;
-    const auto up = QStringLiteral("⌈%2₀⌉ − %2₀");
-    const auto down = QStringLiteral("%2₀ − ⌊%2₀⌋");
-    named.forAssistant.replace(QStringLiteral("%5"), isUpward ? up : down)
-        .replace(QStringLiteral("%6"), isUpward ? down : up);
+    const auto up = u"⌈%2₀⌉ − %2₀"_s;
+    const auto down = u"%2₀ − ⌊%2₀⌋"_s;
+    named.forAssistant.replace(u"%5"_s, isUpward ? up : down)
+        .replace(u"%6"_s, isUpward ? down : up);
     return named;
 }
 
@@ -85,7 +84,7 @@ bool isSameFromBelow(const ScanBugs &bugs)
 
 NamedWalk fromBelow(NamedWalk named)
 {
-    named.id += QStringLiteral("-from-below");
+    named.id += u"-from-below"_s;
     named.forAssistant += orderSentence(SpanOrder::Ascending);
     named.bugs.order = WalkOrder::Ascending;
     return named;
@@ -94,14 +93,13 @@ NamedWalk fromBelow(NamedWalk named)
 QString variantSentence(Variant variant, SpanAxis axis)
 {
     const VariantWords &words = wordsOf(variant, axis);
-    const QString sentence
-        = QStringLiteral("%1: %2 in place of %3.")
-              .arg(nameText(words.title), nameText(words.printed), nameText(words.right));
+    const QString sentence = u"%1: %2 in place of %3."_s.arg(
+        nameText(words.title), nameText(words.printed), nameText(words.right));
     if (variant != Variant::DivisorMinusOne)
         return sentence;
     return sentence
-        + QStringLiteral(" An edge of at most a pixel is not divided by what is left, 0 or less: "
-                         "it keeps its vertex' place and colour.");
+        + u" An edge of at most a pixel is not divided by what is left, 0 or less: "
+          "it keeps its vertex' place and colour."_s;
 }
 
 /// From below, an edge's distance to its first row differs from the one in the method's text.
@@ -109,8 +107,8 @@ QString upwardSentence(Variant variant)
 {
     if (variant != Variant::NoEdgePreStep)
         return variantSentence(variant, SpanAxis::Row);
-    return QStringLiteral("%1: x = x₀ at the first row in place of x = x₀ + (⌈y₀⌉ − y₀)·m.")
-        .arg(nameText(wordsOf(variant, SpanAxis::Row).title));
+    return u"%1: x = x₀ at the first row in place of x = x₀ + (⌈y₀⌉ − y₀)·m."_s.arg(
+        nameText(wordsOf(variant, SpanAxis::Row).title));
 }
 
 } // namespace
@@ -186,10 +184,10 @@ std::vector<Defect> flatEdgeChoicesFor(SpanAxis axis)
 {
     const auto choice = [axis](const char *id, const char *forStudent, const char *forAssistant,
                                const ScanBugs &bugs) {
-        Defect defect = redrawnDefect(QString::fromLatin1(id), QString::fromUtf8(forStudent),
-                                      QString::fromUtf8(forAssistant)
-                                          + QStringLiteral(" That alone is no mistake."),
-                                      redrawingBy(bugs), axis);
+        Defect defect
+            = redrawnDefect(QString::fromLatin1(id), QString::fromUtf8(forStudent),
+                            QString::fromUtf8(forAssistant) + u" That alone is no mistake."_s,
+                            redrawingBy(bugs), axis);
         defect.isRightAlone = true;
         return defect;
     };

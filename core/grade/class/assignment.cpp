@@ -25,12 +25,12 @@ QJsonObject assignedJson(const CheckPoints &points)
 
 QJsonObject assignedJson(const AssignedProgram &program)
 {
-    QJsonObject object{{QStringLiteral("input"), nameOf(program.input)},
-                       {QStringLiteral("seconds"), program.seconds},
-                       {QStringLiteral("megabytes"), program.megabytes},
-                       {QStringLiteral("outputMegabytes"), program.outputMegabytes}};
+    QJsonObject object{{u"input"_s, nameOf(program.input)},
+                       {u"seconds"_s, program.seconds},
+                       {u"megabytes"_s, program.megabytes},
+                       {u"outputMegabytes"_s, program.outputMegabytes}};
     if (!program.file.isEmpty())
-        object.insert(QStringLiteral("file"), program.file);
+        object.insert(u"file"_s, program.file);
     return object;
 }
 
@@ -40,58 +40,52 @@ QString nameOf(Check check)
 {
     switch (check) {
     case Check::Picture:
-        return QStringLiteral("picture");
+        return u"picture"_s;
     case Check::Coverage:
-        return QStringLiteral("coverage");
+        return u"coverage"_s;
     case Check::Colours:
-        return QStringLiteral("colours");
+        return u"colours"_s;
     case Check::Invariants:
         break;
     }
-    return QStringLiteral("invariants");
+    return u"invariants"_s;
 }
 
 QString nameOf(HintLevel level)
 {
     switch (level) {
     case HintLevel::Class:
-        return QStringLiteral("class");
+        return u"class"_s;
     case HintLevel::Hint:
-        return QStringLiteral("hint");
+        return u"hint"_s;
     case HintLevel::Pixels:
-        return QStringLiteral("pixels");
+        return u"pixels"_s;
     case HintLevel::Full:
         break;
     }
-    return QStringLiteral("full");
+    return u"full"_s;
 }
 
 QString nameOf(Winding winding)
 {
     switch (winding) {
     case Winding::Any:
-        return QStringLiteral("any");
+        return u"any"_s;
     case Winding::CounterClockwise:
-        return QStringLiteral("counter-clockwise");
+        return u"counter-clockwise"_s;
     case Winding::Clockwise:
         break;
     }
-    return QStringLiteral("clockwise");
+    return u"clockwise"_s;
 }
 
-QString nameOf(Credit credit)
-{
-    return credit == Credit::Whole ? QStringLiteral("whole") : QStringLiteral("share");
-}
+QString nameOf(Credit credit) { return credit == Credit::Whole ? u"whole"_s : u"share"_s; }
 
-QString nameOf(ProgramInput input)
-{
-    return input == ProgramInput::Json ? QStringLiteral("json") : QStringLiteral("lines");
-}
+QString nameOf(ProgramInput input) { return input == ProgramInput::Json ? u"json"_s : u"lines"_s; }
 
 QString nameOf(Convention convention)
 {
-    return convention == Convention::Asked ? QStringLiteral("asked") : QStringLiteral("any");
+    return convention == Convention::Asked ? u"asked"_s : u"any"_s;
 }
 
 bool windsOtherwise(const Triangle &triangle, Winding winding, FrameOrigin origin)
@@ -115,21 +109,21 @@ QByteArray writeAssignment(const Assignment &assignment)
 {
     QJsonArray scenes;
     for (const AssignedScene &each : assignment.scenes)
-        scenes.append(QJsonObject{
-            {QStringLiteral("name"), each.name},
-            {QStringLiteral("points"), assignedJson(each.points)},
-            {QStringLiteral("scene"), QJsonDocument::fromJson(writeScene(each.scene)).object()}});
-    QJsonObject object{{QStringLiteral("pixelplumbAssignment"), assignmentFormat},
-                       {QStringLiteral("name"), assignment.name},
-                       {QStringLiteral("hint"), nameOf(assignment.hint)},
-                       {QStringLiteral("leeway"), nameText(nameOf(assignment.margin.leeway))},
-                       {QStringLiteral("tolerance"), nameText(nameOf(assignment.margin.tolerance))},
-                       {QStringLiteral("winding"), nameOf(assignment.winding)},
-                       {QStringLiteral("convention"), nameOf(assignment.convention)},
-                       {QStringLiteral("credit"), nameOf(assignment.credit)},
-                       {QStringLiteral("scenes"), scenes}};
+        scenes.append(
+            QJsonObject{{u"name"_s, each.name},
+                        {u"points"_s, assignedJson(each.points)},
+                        {u"scene"_s, QJsonDocument::fromJson(writeScene(each.scene)).object()}});
+    QJsonObject object{{u"pixelplumbAssignment"_s, assignmentFormat},
+                       {u"name"_s, assignment.name},
+                       {u"hint"_s, nameOf(assignment.hint)},
+                       {u"leeway"_s, nameText(nameOf(assignment.margin.leeway))},
+                       {u"tolerance"_s, nameText(nameOf(assignment.margin.tolerance))},
+                       {u"winding"_s, nameOf(assignment.winding)},
+                       {u"convention"_s, nameOf(assignment.convention)},
+                       {u"credit"_s, nameOf(assignment.credit)},
+                       {u"scenes"_s, scenes}};
     if (assignment.program)
-        object.insert(QStringLiteral("program"), assignedJson(*assignment.program));
+        object.insert(u"program"_s, assignedJson(*assignment.program));
     return escapedJson(QJsonDocument(object).toJson());
 }
 

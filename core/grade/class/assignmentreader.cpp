@@ -18,8 +18,8 @@ namespace pixelplumb {
 
 namespace {
 
-const QString formatKey = QStringLiteral("pixelplumbAssignment");
-const QString sceneKey = QStringLiteral("pixelplumb");
+const QString formatKey = u"pixelplumbAssignment"_s;
+const QString sceneKey = u"pixelplumb"_s;
 
 /// Reads the parts of an assignment from JSON; errors stay with the JsonReader.
 class AssignmentReader {
@@ -54,9 +54,8 @@ public:
             return scene.points[std::size_t(Check::Invariants)] > 0;
         };
         if (!assignment.program && std::ranges::any_of(assignment.scenes, asksForInvariants))
-            m_json.fail(root["points"],
-                        QStringLiteral("points for invariants, and no “program” to be run"),
-                        QStringLiteral("a “program”: invariants are asked of random triangles"));
+            m_json.fail(root["points"], u"points for invariants, and no “program” to be run"_s,
+                        u"a “program”: invariants are asked of random triangles"_s);
         return assignment;
     }
 
@@ -67,12 +66,11 @@ private:
         if (root.isObject() && !format.isMissing())
             m_json.integer(format, 1, assignmentFormat);
         else if (const JsonNode other = root[sceneKey]; !other.isMissing())
-            m_json.fail(other, QStringLiteral("this is a scene"),
-                        QStringLiteral("an assignment, by which submissions are graded"));
+            m_json.fail(other, u"this is a scene"_s,
+                        u"an assignment, by which submissions are graded"_s);
         else
-            m_json.fail(
-                format, QStringLiteral("no format number: this is no assignment"),
-                QStringLiteral("\"%1\": %2").arg(formatKey, QString::number(assignmentFormat)));
+            m_json.fail(format, u"no format number: this is no assignment"_s,
+                        u"\"%1\": %2"_s.arg(formatKey, QString::number(assignmentFormat)));
     }
 
     static QString wordOf(const QString &name) { return name; }
@@ -109,7 +107,7 @@ private:
             points[i] = each.toDouble(-1);
             if (!(points[i] >= 0 && points[i] <= largestPoints))
                 m_json.fail(each, describe(each),
-                            QStringLiteral("a number from 0 to %1").arg(largestPoints, 0, 'f', 0));
+                            u"a number from 0 to %1"_s.arg(largestPoints, 0, 'f', 0));
         }
     }
 
@@ -117,7 +115,7 @@ private:
     {
         const std::vector<JsonNode> nodes = m_json.array(node);
         if (nodes.empty())
-            m_json.fail(node, describe(node), QStringLiteral("one scene at least"));
+            m_json.fail(node, describe(node), u"one scene at least"_s);
         for (const JsonNode &each : nodes) {
             if (m_json.hasFailed())
                 return;
@@ -132,17 +130,17 @@ private:
         m_json.expectObject(node, {"name", "scene", "points"});
         AssignedScene scene;
         scene.name = m_json.string(name);
-        static const QRegularExpression plain(QStringLiteral("\\A[A-Za-z0-9_-]{1,64}\\z"));
+        static const QRegularExpression plain(u"\\A[A-Za-z0-9_-]{1,64}\\z"_s);
         if (!plain.match(scene.name).hasMatch())
             m_json.fail(name, describe(name),
-                        QStringLiteral("1 to 64 letters, digits, - and _, of which a picture's "
-                                       "file has its name"));
+                        u"1 to 64 letters, digits, - and _, of which a picture's "
+                        "file has its name"_s);
         const bool isTaken = std::ranges::any_of(before, [&](const AssignedScene &other) {
             return other.name.compare(scene.name, Qt::CaseInsensitive) == 0;
         });
         if (isTaken)
-            m_json.fail(name, QStringLiteral("%1 is a scene's already").arg(describe(name)),
-                        QStringLiteral("a name for each"));
+            m_json.fail(name, u"%1 is a scene's already"_s.arg(describe(name)),
+                        u"a name for each"_s);
         scene.points = m_points;
         readPoints(node["points"], scene.points);
         readContent(content, scene.scene);
@@ -156,9 +154,9 @@ private:
             if (!windsOtherwise(scene.triangles[i], m_winding, scene.frame.origin))
                 continue;
             m_json.fail(node,
-                        QStringLiteral("triangle %1, counted from 0, is not %2")
-                            .arg(QString::number(i), nameOf(m_winding)),
-                        QStringLiteral("what “winding” promises: exchange two of its vertices"));
+                        u"triangle %1, counted from 0, is not %2"_s.arg(QString::number(i),
+                                                                        nameOf(m_winding)),
+                        u"what “winding” promises: exchange two of its vertices"_s);
         }
     }
 
@@ -173,22 +171,20 @@ private:
                 scene = reading->scene;
             else
                 m_json.fail(node, reading.error().message(),
-                            QStringLiteral("a scene, or the name of a scene's file"));
+                            u"a scene, or the name of a scene's file"_s);
         }
         if (m_json.hasFailed())
             return;
         if (const QString objection = objectionTo(scene); !objection.isEmpty())
-            m_json.fail(node,
-                        QStringLiteral("method “%1” %2")
-                            .arg(QString::fromStdString(scene.method), objection),
-                        {});
+            m_json.fail(
+                node, u"method “%1” %2"_s.arg(QString::fromStdString(scene.method), objection), {});
         else if (undoEachOther(scene.settings.variants))
-            m_json.fail(node, undoingText(), QStringLiteral("one of them, or none"));
+            m_json.fail(node, undoingText(), u"one of them, or none"_s);
         else if (!drawsAnyOf(scene))
             m_json.fail(node,
-                        QStringLiteral("method “%1” draws none of the primitives")
-                            .arg(QString::fromStdString(scene.method)),
-                        QStringLiteral("a method that draws one"));
+                        u"method “%1” draws none of the primitives"_s.arg(
+                            QString::fromStdString(scene.method)),
+                        u"a method that draws one"_s);
     }
 
     AssignedProgram readProgram(const JsonNode &node)
@@ -199,15 +195,14 @@ private:
             program.file = m_json.string(name);
             if (program.file.isEmpty() || program.file.contains(u'/')
                 || program.file.startsWith(u'.'))
-                m_json.fail(name, describe(name), QStringLiteral("a file's name, without folders"));
+                m_json.fail(name, describe(name), u"a file's name, without folders"_s);
         }
         readWord(node["input"], allProgramInputs, program.input);
         readNumber(node["seconds"], {1, 3600}, program.seconds);
         if (const JsonNode memory = node["megabytes"]; memory.toDouble(-1) == 0)
-            m_json.fail(memory, QStringLiteral("0: a class' programs may not have all memory"),
-                        QStringLiteral("%1 to %2; a runtime that reserves much, such as Java's or "
-                                       "Go's, has enough of 65536")
-                            .arg(leastMegabytes)
+            m_json.fail(memory, u"0: a class' programs may not have all memory"_s,
+                        u"%1 to %2; a runtime that reserves much, such as Java's or "
+                        "Go's, has enough of 65536"_s.arg(leastMegabytes)
                             .arg(mostMegabytes));
         readNumber(node["megabytes"], {leastMegabytes, mostMegabytes}, program.megabytes);
         readNumber(node["outputMegabytes"], {1, 1024}, program.outputMegabytes);

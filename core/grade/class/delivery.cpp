@@ -44,23 +44,22 @@ std::optional<QString> noteOn(const std::vector<const SubmittedFile *> &files,
                               const QString &refusal)
 {
     if (files.size() == 1 && !refusal.isEmpty())
-        return QStringLiteral("%1 was taken; %2").arg(escapedName(files.front()->name), refusal);
+        return u"%1 was taken; %2"_s.arg(escapedName(files.front()->name), refusal);
     if (files.size() < 2)
         return std::nullopt;
     QStringList others;
     for (const SubmittedFile *file : files)
         others += escapedName(file->name);
     const QString taken = others.takeFirst();
-    return QStringLiteral("%1 was taken; %2 %3 there, too")
-        .arg(taken, others.join(QStringLiteral(" and ")),
-             others.size() == 1 ? QStringLiteral("is") : QStringLiteral("are"));
+    return u"%1 was taken; %2 %3 there, too"_s.arg(taken, others.join(u" and "_s),
+                                                   others.size() == 1 ? u"is"_s : u"are"_s);
 }
 
 /// "picture.png was taken, the only picture; small.png was asked for".
 QString noteOnName(const SubmittedFile &file, const AssignedScene &scene)
 {
-    return QStringLiteral("%1 was taken, the only picture; %2.png was asked for")
-        .arg(escapedName(file.name), scene.name);
+    return u"%1 was taken, the only picture; %2.png was asked for"_s.arg(escapedName(file.name),
+                                                                         scene.name);
 }
 
 /// Why no file qualifies: an entry with a suitable name is no regular file. Empty: there is no such
@@ -74,8 +73,8 @@ QString refusalIn(const SubmissionEntry &entry, const IsSuch &isSuch)
         : refused.begin();
     if (found == refused.end())
         return {};
-    return QStringLiteral("%1 is %2; expected an ordinary file, for nothing else is read")
-        .arg(escapedName(found->name), found->kind);
+    return u"%1 is %2; expected an ordinary file, for nothing else is read"_s.arg(
+        escapedName(found->name), found->kind);
 }
 
 QString refusedPicture(const SubmissionEntry &entry, const AssignedScene &scene)
@@ -101,9 +100,9 @@ QString missingProgram(const SubmissionEntry &entry)
             names += escapedName(file.name);
     }
     const QString found = names.size() < 2
-        ? QStringLiteral("there is no program")
-        : QStringLiteral("there are %1 programs: %2").arg(names.size()).arg(fewNames(names));
-    return found + QStringLiteral("; expected one executable file, or one that ends in .py");
+        ? u"there is no program"_s
+        : u"there are %1 programs: %2"_s.arg(names.size()).arg(fewNames(names));
+    return found + u"; expected one executable file, or one that ends in .py"_s;
 }
 
 QString missingProgram(const SubmissionEntry &entry, const AssignedProgram &program)
@@ -113,9 +112,8 @@ QString missingProgram(const SubmissionEntry &entry, const AssignedProgram &prog
     });
     if (!refusal.isEmpty())
         return refusal;
-    return program.file.isEmpty()
-        ? missingProgram(entry)
-        : QStringLiteral("there is no ordinary file %1").arg(program.file);
+    return program.file.isEmpty() ? missingProgram(entry)
+                                  : u"there is no ordinary file %1"_s.arg(program.file);
 }
 
 /// Why there is neither a picture of the scene nor a program to draw it.
@@ -125,7 +123,7 @@ QString whyNothing(const SubmissionEntry &entry, const Assignment &assignment,
     if (const QString refusal = refusedPicture(entry, scene); !refusal.isEmpty())
         return refusal;
     return assignment.program ? missingProgram(entry, *assignment.program)
-                              : QStringLiteral("there is no picture %1.png").arg(scene.name);
+                              : u"there is no picture %1.png"_s.arg(scene.name);
 }
 
 /// The only file for which isSuch is true.

@@ -11,10 +11,7 @@ namespace pixelplumb {
 namespace {
 
 /// Names only mistakes: a defect that alone is none names no cause.
-QString setText(const GradedCandidate &candidate)
-{
-    return candidate.mistakes().join(QStringLiteral(" and "));
-}
+QString setText(const GradedCandidate &candidate) { return candidate.mistakes().join(u" and "_s); }
 
 /// All sets that explain the submission.
 QStringList setsOf(const GradedSubmission &submission)
@@ -51,9 +48,8 @@ QString faultTitle(const GradedSubmission &submission)
     const bool hasNone = submission.verdict == GradeVerdict::Nothing;
     if (!hasNone && !isFaulty)
         return {};
-    const QString what
-        = hasNone ? QStringLiteral("no picture") : QStringLiteral("not every scene has a picture");
-    return lacks.isEmpty() ? what : what + QStringLiteral(": ") + lacks.join(QStringLiteral(", "));
+    const QString what = hasNone ? u"no picture"_s : u"not every scene has a picture"_s;
+    return lacks.isEmpty() ? what : what + u": "_s + lacks.join(u", "_s);
 }
 
 /// What is known about a class before its submissions are grouped.
@@ -81,7 +77,7 @@ public:
         if (submission.verdict == GradeVerdict::Right)
             return submission.lacksColours() ? rasterText(submission) : verdictText(submission);
         const QString sets = submission.isExplained()
-            ? m_sets[setText(submission.candidates.front())].join(QStringLiteral(", or "))
+            ? m_sets[setText(submission.candidates.front())].join(u", or "_s)
             : QString();
         if (submission.verdict == GradeVerdict::Undecidable)
             return openTitle(submission, sets);
@@ -91,8 +87,8 @@ public:
         if (submission.differing == 0 && !fault.isEmpty())
             return fault;
         if (submission.searchError)
-            return QStringLiteral("the search for defects ended in an error");
-        return QStringLiteral("no known defect") + likenessOf(submission);
+            return u"the search for defects ended in an error"_s;
+        return u"no known defect"_s + likenessOf(submission);
     }
 
 private:
@@ -100,10 +96,9 @@ private:
     /// mistakes.
     static QString openTitle(const GradedSubmission &submission, const QString &sets)
     {
-        const QString title = submission.lacksColours()
-            ? rasterText(submission)
-            : QStringLiteral("undecidable: full points");
-        return sets.isEmpty() ? title : QStringLiteral("%1, as with %2").arg(title, sets);
+        const QString title
+            = submission.lacksColours() ? rasterText(submission) : u"undecidable: full points"_s;
+        return sets.isEmpty() ? title : u"%1, as with %2"_s.arg(title, sets);
     }
 
     /// Among submissions with the same first set, keeps the sets that explain them all: rounding
@@ -123,11 +118,10 @@ private:
         const QStringList alike
             = submission.pictures ? m_alike[*submission.pictures] : QStringList();
         if (alike.size() > 1)
-            return QStringLiteral(", the same pictures as %1").arg(alike.front());
+            return u", the same pictures as %1"_s.arg(alike.front());
         const bool isNear = !submission.candidates.empty()
             && isRelevant(submission.candidates.front().distance, submission.differing);
-        return isNear ? QStringLiteral(", near to %1").arg(setText(submission.candidates.front()))
-                      : QString();
+        return isNear ? u", near to %1"_s.arg(setText(submission.candidates.front())) : QString();
     }
 
     QMap<QString, QStringList> m_sets; ///< by the first set
@@ -144,16 +138,15 @@ QString verdictText(const GradedSubmission &submission)
     const QStringList lost = submission.lostInvariants();
     const bool isOfPictures = submission.verdict != GradeVerdict::Wrong && !lost.isEmpty()
         && !submission.lacksColours();
-    const QString told = submission.lacksColours() ? name + QStringLiteral(" in coverage")
-        : isOfPictures                             ? QStringLiteral("pictures ") + name
+    const QString told = submission.lacksColours() ? name + u" in coverage"_s
+        : isOfPictures                             ? u"pictures "_s + name
                                                    : name;
-    return (QStringList(told) + lost).join(QStringLiteral(", "));
+    return (QStringList(told) + lost).join(u", "_s);
 }
 
 QString rasterText(const GradedSubmission &submission)
 {
-    return QStringLiteral("%1 as far as a raster tells: colours are not in it")
-        .arg(nameOf(submission.verdict));
+    return u"%1 as far as a raster tells: colours are not in it"_s.arg(nameOf(submission.verdict));
 }
 
 std::vector<GradeCluster> clustersOf(const GradeReport &report)

@@ -20,9 +20,9 @@ namespace pixelplumb {
 
 namespace {
 
-const QString gradesKey = QStringLiteral("pixelplumbGrades");
-const QString reviewsKey = QStringLiteral("reviews");
-const QString whatGradingWrote = QStringLiteral("what grading wrote; grade the submissions again");
+const QString gradesKey = u"pixelplumbGrades"_s;
+const QString reviewsKey = u"reviews"_s;
+const QString whatGradingWrote = u"what grading wrote; grade the submissions again"_s;
 
 /// Whether it is one of our files; its version is checked before its keys.
 bool expectFormat(JsonReader &json)
@@ -51,8 +51,8 @@ Result<Part> readSealed(const QByteArray &text, const QByteArray &about)
     if (!part || isSealed(text, about))
         return part;
     return InputError{{},
-                      QStringLiteral("has been edited since grading wrote it, or is of another "
-                                     "assignment or version"),
+                      u"has been edited since grading wrote it, or is of another "
+                      "assignment or version"_s,
                       whatGradingWrote};
 }
 
@@ -110,12 +110,10 @@ Result<Reviews> readReviews(const QByteArray &text)
 /// may have written the file, and must not make us read or write outside the results.
 bool hasOwnNames(const GradedSubmission &submission, const QString &file)
 {
-    return file == submission.id + QStringLiteral(".json")
-        && submission.id == idOf(nameShownAs(submission.name))
+    return file == submission.id + u".json"_s && submission.id == idOf(nameShownAs(submission.name))
         && std::ranges::all_of(submission.scenes, [](const GradedScene &scene) {
                return scene.picture.isEmpty()
-                   || (scene.picture.startsWith(QStringLiteral("pictures/"))
-                       && scene.picture.count(u'/') == 1);
+                   || (scene.picture.startsWith(u"pictures/"_s) && scene.picture.count(u'/') == 1);
            });
 }
 
@@ -123,13 +121,8 @@ bool hasOwnNames(const GradedSubmission &submission, const QString &file)
 
 QStringList resultFiles()
 {
-    return {assignmentFile,
-            submissionListFile,
-            reviewsFile,
-            QStringLiteral("results.json"),
-            QStringLiteral("junit.xml"),
-            QStringLiteral("grades.csv"),
-            QStringLiteral("index.html")};
+    return {assignmentFile, submissionListFile, reviewsFile,    u"results.json"_s,
+            u"junit.xml"_s, u"grades.csv"_s,    u"index.html"_s};
 }
 
 QByteArray writeGradedSubmission(const GradedSubmission &submission, const QByteArray &assignment)
@@ -159,8 +152,7 @@ std::optional<InputError> changedPictureOf(const GradedSubmission &submission,
             return picture.error();
         if (pictureDigestOf(*picture) != scene.pictureDigest)
             return InputError{results.pathOf(scene.picture),
-                              QStringLiteral("has been changed since grading wrote it"),
-                              whatGradingWrote};
+                              u"has been changed since grading wrote it"_s, whatGradingWrote};
     }
     return std::nullopt;
 }
@@ -195,14 +187,14 @@ std::optional<InputError> refusalOfResults(const ResultsFolder &folder)
     if (found == names.end())
         return std::nullopt;
     if (!folder.has(submissionListFile))
-        return InputError{folder.pathOf(*found), QStringLiteral("is not of results of grading"),
-                          QStringLiteral("an empty folder, or one that grading wrote")};
+        return InputError{folder.pathOf(*found), u"is not of results of grading"_s,
+                          u"an empty folder, or one that grading wrote"_s};
     // An edited list is replaced as a whole.
     const auto known = readAt<SubmissionList>(folder, submissionListFile, readOurs<SubmissionList>);
     if (known)
         return std::nullopt;
     return InputError{known.error().place,
-                      QStringLiteral("is not of results of grading: ") + known.error().found,
+                      u"is not of results of grading: "_s + known.error().found,
                       known.error().expected};
 }
 
@@ -217,19 +209,18 @@ Result<GradeReport> readGrades(const QString &results)
         return assignment.error();
     GradeReport report{std::move(*assignment), {}, {}};
     const QByteArray asked = writeAssignment(report.assignment);
-    for (const QString &file : folder.filesIn(QStringLiteral("grades"))) {
-        if (!file.endsWith(QStringLiteral(".json")))
+    for (const QString &file : folder.filesIn(u"grades"_s)) {
+        if (!file.endsWith(u".json"_s))
             continue;
-        const QString path = QStringLiteral("grades/") + file;
+        const QString path = u"grades/"_s + file;
         const auto read = [&](const QByteArray &text) { return readGradedSubmission(text, asked); };
         auto submission = readAt<GradedSubmission>(folder, path, read);
         if (!submission)
             return submission.error();
         if (!hasOwnNames(*submission, file))
-            return InputError{folder.pathOf(path),
-                              QStringLiteral("is not named as grading names it"),
-                              QStringLiteral("the submission's name, the id that is made of it as "
-                                             "the file's name, and pictures in pictures/")};
+            return InputError{folder.pathOf(path), u"is not named as grading names it"_s,
+                              u"the submission's name, the id that is made of it as "
+                              "the file's name, and pictures in pictures/"_s};
         if (auto changed = changedPictureOf(*submission, folder))
             return *changed;
         report.submissions.push_back(std::move(*submission));

@@ -31,10 +31,10 @@ void removeOthers(const ResultsFolder &results, const Assignment &assignment,
     QSet<QString> kept;
     for (const QByteArray &name : *names) {
         const QString id = idOf(name);
-        kept += id + QStringLiteral(".json");
+        kept += id + u".json"_s;
         for (const AssignedScene &scene : assignment.scenes) {
             for (const char *end : {"png", "txt"})
-                kept += QStringLiteral("%1-%2.%3").arg(id, scene.name, QLatin1String(end));
+                kept += u"%1-%2.%3"_s.arg(id, scene.name, QLatin1String(end));
         }
     }
     for (const QString &folder : ResultsFolder::folders()) {
@@ -44,7 +44,7 @@ void removeOthers(const ResultsFolder &results, const Assignment &assignment,
         }
     }
     const QRegularExpression unfinished(
-        QStringLiteral("^(%1)\\.[0-9a-f]{8}$").arg(resultFiles().join(u'|').replace(u'.', "\\.")));
+        u"^(%1)\\.[0-9a-f]{8}$"_s.arg(resultFiles().join(u'|').replace(u'.', "\\.")));
     for (const QString &file : results.filesIn({})) {
         if (unfinished.match(file).hasMatch())
             results.remove(file);
@@ -56,9 +56,8 @@ std::optional<InputError> refusalOf(const GradingOrder &order)
 {
     if (!lieInEachOther(order.results, order.submissions))
         return std::nullopt;
-    return InputError{order.results,
-                      QStringLiteral("results and submissions lie in each other's folders"),
-                      QStringLiteral("a folder of their own for the results")};
+    return InputError{order.results, u"results and submissions lie in each other's folders"_s,
+                      u"a folder of their own for the results"_s};
 }
 
 /// The submissions to be graded. They may be ordered by the names that reports show, too, where
@@ -74,8 +73,8 @@ Result<std::vector<QByteArray>> orderedIn(const GradingOrder &order,
             return name == QFile::encodeName(word) || escapedName(name) == word;
         });
         if (found == names.end())
-            return InputError{word, QStringLiteral("is no submission in %1").arg(order.submissions),
-                              QStringLiteral("the name of a file or folder there")};
+            return InputError{word, u"is no submission in %1"_s.arg(order.submissions),
+                              u"the name of a file or folder there"_s};
         ordered.push_back(*found);
     }
     return ordered;
@@ -97,8 +96,8 @@ Result<ResultsLock> beginResults(const ResultsFolder &results, const QByteArray 
         lock->share();
         if (!isAssigned() && !lock->takeAlone())
             return InputError{results.pathOf(assignmentFile),
-                              QStringLiteral("is of another run, which is still grading"),
-                              QStringLiteral("its end, or another folder for this assignment")};
+                              u"is of another run, which is still grading"_s,
+                              u"its end, or another folder for this assignment"_s};
     }
     if (auto error = results.makeFolders())
         return *error;

@@ -35,7 +35,7 @@ summary { cursor: pointer; }
 
 QString html(const QString &text)
 {
-    return escapedLines(text).toHtmlEscaped().replace(u'\n', QStringLiteral("<br>"));
+    return escapedLines(text).toHtmlEscaped().replace(u'\n', u"<br>"_s);
 }
 
 QString pointsHtml(double points) { return QString::number(points, 'g', 10); }
@@ -45,9 +45,9 @@ QString figure(const QImage &image, const QString &caption)
     QByteArray png;
     QBuffer buffer(&png);
     image.save(&buffer, "png");
-    return QStringLiteral("<figure><img alt=\"%1\" src=\"data:image/png;base64,%2\">"
-                          "<figcaption>%1</figcaption></figure>\n")
-        .arg(html(caption), QString::fromLatin1(png.toBase64()));
+    return u"<figure><img alt=\"%1\" src=\"data:image/png;base64,%2\">"
+           "<figcaption>%1</figcaption></figure>\n"_s.arg(html(caption),
+                                                          QString::fromLatin1(png.toBase64()));
 }
 
 QImage imageOf(const PictureDiff &diff, const Picture &expected)
@@ -77,69 +77,63 @@ public:
     {
         const QString name = html(m_report.assignment.name);
         m_page = QString::fromUtf8(pageHead)
-            + QStringLiteral("<title>%1</title>\n</head>\n<body>\n<h1>%1</h1>\n").arg(name);
+            + u"<title>%1</title>\n</head>\n<body>\n<h1>%1</h1>\n"_s.arg(name);
         const std::vector<GradeCluster> clusters = clustersOf(m_report);
         writeClusters(clusters);
         for (std::size_t i = 0; i < clusters.size(); ++i)
             writeCluster(clusters[i], i);
-        m_page += QStringLiteral("</body>\n</html>\n");
+        m_page += u"</body>\n</html>\n"_s;
         return m_page.toUtf8();
     }
 
 private:
     void writeClusters(const std::vector<GradeCluster> &clusters)
     {
-        m_page += QStringLiteral("<p>%1.</p>\n").arg(submissionsText(m_report.submissions.size()));
+        m_page += u"<p>%1.</p>\n"_s.arg(submissionsText(m_report.submissions.size()));
         if (!m_report.missing.isEmpty())
-            m_page
-                += QStringLiteral("<p><strong>Partial: %1 more without a grade.</strong> %2</p>\n")
-                       .arg(m_report.missing.size())
-                       .arg(html(m_report.missing.join(QStringLiteral(", "))));
+            m_page += u"<p><strong>Partial: %1 more without a grade.</strong> %2</p>\n"_s
+                          .arg(m_report.missing.size())
+                          .arg(html(m_report.missing.join(u", "_s)));
         if (const QString text = unsandboxedText(m_report); !text.isEmpty())
-            m_page += QStringLiteral("<p><strong>%1.</strong></p>\n").arg(html(text));
-        m_page += QStringLiteral("<table>\n<tr><th class=\"number\">submissions</th>"
-                                 "<th>cause</th><th>what was done</th></tr>\n");
+            m_page += u"<p><strong>%1.</strong></p>\n"_s.arg(html(text));
+        m_page += u"<table>\n<tr><th class=\"number\">submissions</th>"
+                  "<th>cause</th><th>what was done</th></tr>\n"_s;
         for (std::size_t i = 0; i < clusters.size(); ++i)
-            m_page += QStringLiteral("<tr><td class=\"number\">%1</td><td><a href=\"#c%2\">%3</a>"
-                                     "</td><td>%4</td></tr>\n")
-                          .arg(clusters[i].submissions.size())
+            m_page += u"<tr><td class=\"number\">%1</td><td><a href=\"#c%2\">%3</a>"
+                      "</td><td>%4</td></tr>\n"_s.arg(clusters[i].submissions.size())
                           .arg(i)
                           .arg(html(clusters[i].title), html(clusters[i].forAssistant.join(u' ')));
-        m_page += QStringLiteral("</table>\n");
+        m_page += u"</table>\n"_s;
     }
 
     void writeCluster(const GradeCluster &cluster, std::size_t number)
     {
-        m_page += QStringLiteral("<section id=\"c%1\">\n<h2>%2</h2>\n")
-                      .arg(number)
-                      .arg(html(cluster.title));
+        m_page += u"<section id=\"c%1\">\n<h2>%2</h2>\n"_s.arg(number).arg(html(cluster.title));
         if (!cluster.forAssistant.isEmpty())
-            m_page += QStringLiteral("<p>%1</p>\n").arg(html(cluster.forAssistant.join(u' ')));
+            m_page += u"<p>%1</p>\n"_s.arg(html(cluster.forAssistant.join(u' ')));
         for (const std::size_t place : cluster.submissions)
             writeSubmission(m_report.submissions[place],
-                            place == cluster.submissions.front() ? QStringLiteral(" open")
-                                                                 : QString());
-        m_page += QStringLiteral("</section>\n");
+                            place == cluster.submissions.front() ? u" open"_s : QString());
+        m_page += u"</section>\n"_s;
     }
 
     /// `open` is the attribute of details that are unfolded initially.
     void writeSubmission(const GradedSubmission &submission, const QString &open)
     {
         const Assignment &assignment = m_report.assignment;
-        m_page += QStringLiteral("<h3>%1</h3>\n<p>%2 of %3 points%4</p>\n<p class=\"student\">%5"
-                                 "</p>\n")
-                      .arg(html(submission.name), pointsHtml(submission.points()),
-                           pointsHtml(assignment.points()),
-                           submission.review.isAccepted ? QStringLiteral(", accepted") : QString(),
-                           html(sentencesFor(submission, assignment.hint).join(u'\n')));
+        m_page += u"<h3>%1</h3>\n<p>%2 of %3 points%4</p>\n<p class=\"student\">%5"
+                  "</p>\n"_s.arg(html(submission.name), pointsHtml(submission.points()),
+                                 pointsHtml(assignment.points()),
+                                 submission.review.isAccepted ? u", accepted"_s : QString(),
+                                 html(sentencesFor(submission, assignment.hint).join(u'\n')));
         if (submission.verdict == GradeVerdict::Right && submission.lostInvariants().isEmpty())
             return;
-        m_page += QStringLiteral("<details%1><summary>For the assistant</summary><p>%2</p>\n")
-                      .arg(open, html(sentencesFor(submission, HintLevel::Full).join(u'\n')));
+        m_page += u"<details%1><summary>For the assistant</summary><p>%2</p>\n"_s.arg(
+            open, html(sentencesFor(submission, HintLevel::Full).join(u'\n')));
         for (std::size_t i = 0; i < submission.scenes.size(); ++i)
             writeScene(submission.scenes[i], i,
                        m_grader.in(submission.convention.value_or(FrameConvention::AsAsked)));
-        m_page += QStringLiteral("</details>\n");
+        m_page += u"</details>\n"_s;
     }
 
     void writeScene(const GradedScene &scene, std::size_t place, const Grader &grader)
@@ -156,17 +150,15 @@ private:
         if (picture.hasColours)
             coverAllBut(m_report.assignment.scenes[place].scene.frame.background, picture);
         const PictureDiff diff = differenceOf(expected, picture, grader.leftOpen(place, picture));
-        m_page += QStringLiteral("<h4>%1</h4>\n").arg(html(scene.scene));
-        m_page += figure(pixelplumb::imageOf(picture), QStringLiteral("found"));
-        m_page += figure(pixelplumb::imageOf(expected), QStringLiteral("expected"));
-        m_page
-            += figure(imageOf(diff, expected),
-                      QStringLiteral("%1 missing (orange), %2 extra (blue), %3 of another colour "
-                                     "(purple), %4 undecidable (yellow)")
-                          .arg(diff.count(Difference::Missing))
-                          .arg(diff.count(Difference::Extra))
-                          .arg(diff.count(Difference::Colour))
-                          .arg(diff.count(Difference::Undecidable)));
+        m_page += u"<h4>%1</h4>\n"_s.arg(html(scene.scene));
+        m_page += figure(pixelplumb::imageOf(picture), u"found"_s);
+        m_page += figure(pixelplumb::imageOf(expected), u"expected"_s);
+        m_page += figure(imageOf(diff, expected),
+                         u"%1 missing (orange), %2 extra (blue), %3 of another colour "
+                         "(purple), %4 undecidable (yellow)"_s.arg(diff.count(Difference::Missing))
+                             .arg(diff.count(Difference::Extra))
+                             .arg(diff.count(Difference::Colour))
+                             .arg(diff.count(Difference::Undecidable)));
     }
 
     const GradeReport &m_report;
@@ -186,7 +178,7 @@ std::optional<InputError> writeReports(const QString &results, const GradeReport
 {
     const ResultsFolder folder(results);
     for (const GradedSubmission &submission : report.submissions) {
-        const QString file = QStringLiteral("gradescope/%1.json").arg(submission.id);
+        const QString file = u"gradescope/%1.json"_s.arg(submission.id);
         if (auto error = folder.write(file, gradescopeOf(submission, report.assignment)))
             return error;
     }

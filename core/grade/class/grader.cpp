@@ -132,12 +132,12 @@ GradedScene Grader::judge(std::size_t scene, const Delivery &delivery) const
     PictureDiff diff;
     const bool wantsColours = asked.points[std::size_t(Check::Colours)] > 0;
     const auto add = [&graded](const QString &note) {
-        graded.note = graded.note ? *graded.note + QStringLiteral("; ") + note : note;
+        graded.note = graded.note ? *graded.note + u"; "_s + note : note;
     };
     if (delivery.picture && !delivery.picture->hasColours && wantsColours)
-        add(QStringLiteral("a raster of characters has no colours"));
+        add(u"a raster of characters has no colours"_s);
     if (delivery.picture && delivery.picture->isTransparent)
-        add(QStringLiteral("the picture ") + transparencyText());
+        add(u"the picture "_s + transparencyText());
     if (delivery.picture) {
         diff = differenceOf(m_expected[scene], *delivery.picture,
                             leftOpen(scene, *delivery.picture));

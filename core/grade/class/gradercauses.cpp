@@ -126,7 +126,7 @@ bool Grader::search(const std::vector<FoundPicture> &found, const std::stop_toke
         if (!part->isExplained())
             continue;
         for (const DiagnosisCandidate &candidate : part->candidates)
-            named.explanations[each.scene] += candidate.ids().join(QStringLiteral(" and "));
+            named.explanations[each.scene] += candidate.ids().join(u" and "_s);
     }
     return true;
 }

@@ -13,7 +13,7 @@ namespace {
 
 QString countText(std::int64_t count, const QString &what)
 {
-    return QStringLiteral("%1 %2").arg(pixelsText(count), what);
+    return u"%1 %2"_s.arg(pixelsText(count), what);
 }
 
 QString differencesText(const GradedScene &scene)
@@ -22,13 +22,12 @@ QString differencesText(const GradedScene &scene)
     for (const Difference verdict : allDifferences) {
         const std::int64_t count = scene.counts.count(verdict);
         if (verdict != Difference::None && count > 0)
-            parts += countText(count,
-                               verdict == Difference::Colour ? QStringLiteral("of another colour")
-                                                             : nameOf(verdict));
+            parts += countText(
+                count, verdict == Difference::Colour ? u"of another colour"_s : nameOf(verdict));
     }
-    QString text = QStringLiteral("%1: %2").arg(scene.scene, parts.join(QStringLiteral(", ")));
+    QString text = u"%1: %2"_s.arg(scene.scene, parts.join(u", "_s));
     if (const auto &first = scene.firstDifference)
-        text += QStringLiteral("; the first is (%1, %2)").arg(first->x).arg(first->y);
+        text += u"; the first is (%1, %2)"_s.arg(first->x).arg(first->y);
     return text;
 }
 
@@ -39,18 +38,17 @@ void appendClass(const GradedSubmission &submission, QStringList &lines)
         lines += rasterText(submission);
     for (const GradedScene &scene : submission.scenes) {
         if (!scene.fault.isEmpty())
-            lines += QStringLiteral("%1: %2").arg(scene.scene, scene.fault);
+            lines += u"%1: %2"_s.arg(scene.scene, scene.fault);
         QStringList failed;
         for (const GradedCheck &check : scene.checks) {
             if (!check.isPassed && !(isRaster && check.check == Check::Colours))
                 failed += nameOf(check.check);
         }
         if (scene.fault.isEmpty() && !failed.isEmpty())
-            lines += QStringLiteral("%1: not right in %2")
-                         .arg(scene.scene, failed.join(QStringLiteral(" and ")));
+            lines += u"%1: not right in %2"_s.arg(scene.scene, failed.join(u" and "_s));
     }
     if (lines.isEmpty() && submission.verdict == GradeVerdict::Undecidable)
-        lines += QStringLiteral("right; what differs may be either way");
+        lines += u"right; what differs may be either way"_s;
     else if (lines.isEmpty())
         lines += nameOf(submission.verdict);
 }
@@ -61,54 +59,48 @@ void appendNotes(const GradedSubmission &submission, QStringList &lines)
         lines += sentenceOf(*submission.convention);
     for (const GradedScene &scene : submission.scenes) {
         if (scene.note)
-            lines += QStringLiteral("%1: %2").arg(scene.scene, *scene.note);
+            lines += u"%1: %2"_s.arg(scene.scene, *scene.note);
     }
 }
 
 void appendFull(const GradedSubmission &submission, QStringList &lines)
 {
     if (submission.searchError)
-        lines += QStringLiteral("the search for defects ended in an error: %1")
-                     .arg(*submission.searchError);
+        lines += u"the search for defects ended in an error: %1"_s.arg(*submission.searchError);
     QStringList synonyms; // that draw the same pictures as the first
     for (const GradedCandidate &candidate : submission.candidates) {
         const bool isEqual = candidate.distance == 0 && !candidate.undecidable;
         if (isEqual && &candidate != &submission.candidates.front()) {
-            synonyms += candidate.defects.join(QStringLiteral(" and "));
+            synonyms += candidate.defects.join(u" and "_s);
             continue;
         }
         // A set that explains next to nothing is not named.
         if (!isRelevant(candidate.distance, submission.differing))
             continue;
-        const QString ids = candidate.defects.join(QStringLiteral(" and "));
+        const QString ids = candidate.defects.join(u" and "_s);
         const QString open = undecidableText(candidate.undecidable.value_or(0));
         lines += candidate.distance == 0
-            ? (QStringLiteral("explained by ") + ids
-               + (open.isEmpty() ? QString() : QStringLiteral(", ") + open))
-            : QStringLiteral("near to %1, %2")
-                  .arg(ids, countText(candidate.distance, QStringLiteral("left")));
+            ? (u"explained by "_s + ids + (open.isEmpty() ? QString() : u", "_s + open))
+            : u"near to %1, %2"_s.arg(ids, countText(candidate.distance, u"left"_s));
         lines += candidate.forAssistant;
         if (const auto &parts = candidate.parts)
-            lines += QStringLiteral("%1 parts at step %2, %3: %4")
-                         .arg(parts->scene)
+            lines += u"%1 parts at step %2, %3: %4"_s.arg(parts->scene)
                          .arg(parts->step + 1)
                          .arg(parts->heading, parts->text);
     }
     if (!synonyms.isEmpty())
-        lines += QStringLiteral("the same pictures come of ") + synonyms.join(QStringLiteral("; "));
+        lines += u"the same pictures come of "_s + synonyms.join(u"; "_s);
     if (const QString text = unsandboxedText(submission); !text.isEmpty())
         lines += text;
     for (const GradedScene &scene : submission.scenes) {
         if (scene.explanations)
-            lines += QStringLiteral("%1 alone is explained by %2")
-                         .arg(scene.scene, scene.explanations->join(QStringLiteral(", or ")));
+            lines += u"%1 alone is explained by %2"_s.arg(scene.scene,
+                                                          scene.explanations->join(u", or "_s));
         for (const QString &cause : scene.causes)
-            lines += QStringLiteral("%1: most differences are gone with this done to the whole "
-                                    "picture: %2")
-                         .arg(scene.scene, cause);
+            lines += u"%1: most differences are gone with this done to the whole "
+                     "picture: %2"_s.arg(scene.scene, cause);
         if (scene.run && !scene.run->messages.isEmpty())
-            lines += QStringLiteral("%1: the program said: %2")
-                         .arg(scene.scene, scene.run->messages.trimmed());
+            lines += u"%1: the program said: %2"_s.arg(scene.scene, scene.run->messages.trimmed());
     }
 }
 
@@ -120,7 +112,7 @@ QString nameOf(GradeVerdict verdict)
     case GradeVerdict::Right:
         return QStringLiteral(QT_TRANSLATE_NOOP("core", "right"));
     case GradeVerdict::Undecidable:
-        return QStringLiteral("undecidable");
+        return u"undecidable"_s;
     case GradeVerdict::Wrong:
         return QStringLiteral(QT_TRANSLATE_NOOP("core", "wrong"));
     case GradeVerdict::Nothing:
@@ -133,19 +125,19 @@ QString nameOf(PictureLack lack)
 {
     switch (lack) {
     case PictureLack::NotThere:
-        return QStringLiteral("not there");
+        return u"not there"_s;
     case PictureLack::NotDrawn:
-        return QStringLiteral("not drawn");
+        return u"not drawn"_s;
     case PictureLack::Empty:
-        return QStringLiteral("empty");
+        return u"empty"_s;
     case PictureLack::OtherSize:
-        return QStringLiteral("of another size");
+        return u"of another size"_s;
     case PictureLack::TraceAlone:
-        return QStringLiteral("a trace alone");
+        return u"a trace alone"_s;
     case PictureLack::Unreadable:
         break;
     }
-    return QStringLiteral("unreadable");
+    return u"unreadable"_s;
 }
 
 QStringList GradedCandidate::mistakes() const
@@ -190,7 +182,7 @@ QStringList GradedSubmission::lostInvariants() const
             lost += QStringLiteral(QT_TRANSLATE_NOOP("core", "did not draw what invariants ask"));
         for (const QString &name :
              isLost ? scene.brokenInvariants.value_or(QStringList()) : QStringList())
-            lost += QStringLiteral("breaks ") + name;
+            lost += u"breaks "_s + name;
     }
     lost.removeDuplicates();
     return lost;
@@ -210,7 +202,7 @@ QString unsandboxedText(const GradedSubmission &submission)
 {
     for (const GradedScene &scene : submission.scenes) {
         if (scene.run && scene.run->sandboxLack)
-            return QStringLiteral("its program ran in ") + unsandboxedText(*scene.run->sandboxLack);
+            return u"its program ran in "_s + unsandboxedText(*scene.run->sandboxLack);
     }
     return {};
 }
@@ -235,17 +227,16 @@ QString unsandboxedText(const GradeReport &report)
     });
     const QStringList lacks = sandboxLacks(report);
     return lacks.isEmpty() ? QString()
-                           : submissionsText(std::size_t(count)) + QStringLiteral(" ran in ")
-            + unsandboxedText(lacks.join(QStringLiteral("; ")));
+                           : submissionsText(std::size_t(count)) + u" ran in "_s
+            + unsandboxedText(lacks.join(u"; "_s));
 }
 
 QString submissionsText(std::size_t submissions)
 {
-    return submissions == 1 ? QStringLiteral("1 submission")
-                            : QStringLiteral("%1 submissions").arg(submissions);
+    return submissions == 1 ? u"1 submission"_s : u"%1 submissions"_s.arg(submissions);
 }
 
-QString ungradedText(const QString &error) { return QStringLiteral("cannot be graded: ") + error; }
+QString ungradedText(const QString &error) { return u"cannot be graded: "_s + error; }
 
 QStringList ungradedLines(const GradeReport &report)
 {
@@ -256,7 +247,7 @@ QStringList ungradedLines(const GradeReport &report)
     }
     QStringList lines;
     for (const auto &[error, those] : names.asKeyValueRange())
-        lines += those.join(QStringLiteral(", ")) + QStringLiteral(": ") + ungradedText(error);
+        lines += those.join(u", "_s) + u": "_s + ungradedText(error);
     return lines;
 }
 
@@ -273,7 +264,7 @@ QStringList sentencesFor(const GradedSubmission &submission, HintLevel level)
     if (level >= HintLevel::Pixels) {
         for (const GradedScene &scene : submission.scenes) {
             if (!scene.trace.isEmpty())
-                lines += QStringLiteral("%1: %2").arg(scene.scene, scene.trace);
+                lines += u"%1: %2"_s.arg(scene.scene, scene.trace);
             if (scene.firstDifference)
                 lines += differencesText(scene);
         }
@@ -281,8 +272,7 @@ QStringList sentencesFor(const GradedSubmission &submission, HintLevel level)
     if (level >= HintLevel::Full)
         appendFull(submission, lines);
     if (submission.review.points)
-        lines += QStringLiteral("%1 points in place of %2: %3")
-                     .arg(*submission.review.points)
+        lines += u"%1 points in place of %2: %3"_s.arg(*submission.review.points)
                      .arg(submission.pointsOfChecks())
                      .arg(submission.review.reason.value_or(QString()));
     if (!submission.review.comment.isEmpty())

@@ -14,34 +14,31 @@ namespace {
 // "Output format".
 QJsonObject gradescopeJson(const GradedSubmission &submission, const Assignment &assignment)
 {
-    const QString lost = submission.lostInvariants().join(QStringLiteral(", "));
+    const QString lost = submission.lostInvariants().join(u", "_s);
     QJsonArray tests;
     for (const GradedScene &scene : submission.scenes) {
         for (const GradedCheck &check : scene.checks)
-            tests.append(QJsonObject{
-                {QStringLiteral("name"),
-                 QStringLiteral("%1: %2").arg(scene.scene, nameOf(check.check))},
-                {QStringLiteral("score"), check.points},
-                {QStringLiteral("max_score"), check.of},
-                {QStringLiteral("status"),
-                 check.isPassed ? QStringLiteral("passed") : QStringLiteral("failed")},
-                {QStringLiteral("output"),
-                 check.isPassed || check.check != Check::Invariants ? scene.fault
-                                                                    : scene.fault + lost},
-                {QStringLiteral("visibility"), QStringLiteral("visible")}});
+            tests.append(QJsonObject{{u"name"_s, u"%1: %2"_s.arg(scene.scene, nameOf(check.check))},
+                                     {u"score"_s, check.points},
+                                     {u"max_score"_s, check.of},
+                                     {u"status"_s, check.isPassed ? u"passed"_s : u"failed"_s},
+                                     {u"output"_s,
+                                      check.isPassed || check.check != Check::Invariants
+                                          ? scene.fault
+                                          : scene.fault + lost},
+                                     {u"visibility"_s, u"visible"_s}});
     }
-    tests.append(QJsonObject{
-        {QStringLiteral("name"), QStringLiteral("For the assistant")},
-        {QStringLiteral("score"), 0},
-        {QStringLiteral("max_score"), 0},
-        {QStringLiteral("output"), sentencesFor(submission, HintLevel::Full).join(u'\n')},
-        {QStringLiteral("visibility"), QStringLiteral("hidden")}});
-    return {{QStringLiteral("score"), submission.points()},
-            {QStringLiteral("output"), sentencesFor(submission, assignment.hint).join(u'\n')},
-            {QStringLiteral("output_format"), QStringLiteral("text")},
-            {QStringLiteral("visibility"), QStringLiteral("visible")},
-            {QStringLiteral("stdout_visibility"), QStringLiteral("hidden")},
-            {QStringLiteral("tests"), tests}};
+    tests.append(QJsonObject{{u"name"_s, u"For the assistant"_s},
+                             {u"score"_s, 0},
+                             {u"max_score"_s, 0},
+                             {u"output"_s, sentencesFor(submission, HintLevel::Full).join(u'\n')},
+                             {u"visibility"_s, u"hidden"_s}});
+    return {{u"score"_s, submission.points()},
+            {u"output"_s, sentencesFor(submission, assignment.hint).join(u'\n')},
+            {u"output_format"_s, u"text"_s},
+            {u"visibility"_s, u"visible"_s},
+            {u"stdout_visibility"_s, u"hidden"_s},
+            {u"tests"_s, tests}};
 }
 
 } // namespace
@@ -56,17 +53,17 @@ QByteArray gradescopeOf(const GradeReport &report)
     QJsonArray submissions;
     for (const GradedSubmission &submission : report.submissions) {
         QJsonObject object = gradescopeJson(submission, report.assignment);
-        object.insert(QStringLiteral("name"), submission.name);
-        object.insert(QStringLiteral("id"), submission.id);
+        object.insert(u"name"_s, submission.name);
+        object.insert(u"id"_s, submission.id);
         submissions.append(object);
     }
-    QJsonObject object{{QStringLiteral("assignment"), report.assignment.name},
-                       {QStringLiteral("max_score"), report.assignment.points()},
-                       {QStringLiteral("submissions"), submissions}};
+    QJsonObject object{{u"assignment"_s, report.assignment.name},
+                       {u"max_score"_s, report.assignment.points()},
+                       {u"submissions"_s, submissions}};
     if (!report.missing.isEmpty())
-        object.insert(QStringLiteral("missing"), QJsonArray::fromStringList(report.missing));
+        object.insert(u"missing"_s, QJsonArray::fromStringList(report.missing));
     if (const QString text = unsandboxedText(report); !text.isEmpty())
-        object.insert(QStringLiteral("noSandbox"), text);
+        object.insert(u"noSandbox"_s, text);
     return escapedJson(QJsonDocument(object).toJson());
 }
 

@@ -22,7 +22,7 @@ QString defectsText(const GradedSubmission &submission)
         if (candidate.distance == 0)
             sets += candidate.defects.join(u'+');
     }
-    return sets.join(QStringLiteral(" | "));
+    return sets.join(u" | "_s);
 }
 
 /// Empty if some picture could not be judged: then the count is unknown.
@@ -37,7 +37,7 @@ QString differingText(const GradedSubmission &submission)
 QString sandboxText(const GradedSubmission &submission)
 {
     const auto isIn = isSandboxed(submission);
-    return isIn ? (*isIn ? QStringLiteral("yes") : QStringLiteral("no")) : QString();
+    return isIn ? (*isIn ? u"yes"_s : u"no"_s) : QString();
 }
 
 /// XML allows no control characters.
@@ -49,19 +49,19 @@ struct TestCounts {
 
 void beginSuite(QXmlStreamWriter &xml, const QString &name, const TestCounts &counts)
 {
-    xml.writeStartElement(QStringLiteral("testsuite"));
-    xml.writeAttribute(QStringLiteral("name"), name);
-    xml.writeAttribute(QStringLiteral("tests"), QString::number(counts.tests));
-    xml.writeAttribute(QStringLiteral("failures"), QString::number(counts.failures));
-    xml.writeAttribute(QStringLiteral("errors"), QStringLiteral("0"));
-    xml.writeAttribute(QStringLiteral("skipped"), QString::number(counts.skipped));
+    xml.writeStartElement(u"testsuite"_s);
+    xml.writeAttribute(u"name"_s, name);
+    xml.writeAttribute(u"tests"_s, QString::number(counts.tests));
+    xml.writeAttribute(u"failures"_s, QString::number(counts.failures));
+    xml.writeAttribute(u"errors"_s, u"0"_s);
+    xml.writeAttribute(u"skipped"_s, QString::number(counts.skipped));
 }
 
 void beginCase(QXmlStreamWriter &xml, const QString &suite, const QString &name)
 {
-    xml.writeStartElement(QStringLiteral("testcase"));
-    xml.writeAttribute(QStringLiteral("classname"), suite);
-    xml.writeAttribute(QStringLiteral("name"), name);
+    xml.writeStartElement(u"testcase"_s);
+    xml.writeAttribute(u"classname"_s, suite);
+    xml.writeAttribute(u"name"_s, name);
 }
 
 void writeSubmission(QXmlStreamWriter &xml, const GradedSubmission &submission, HintLevel hint)
@@ -77,12 +77,11 @@ void writeSubmission(QXmlStreamWriter &xml, const GradedSubmission &submission, 
     const QString told = xmlText(sentencesFor(submission, hint));
     for (const GradedScene &scene : submission.scenes) {
         for (const GradedCheck &check : scene.checks) {
-            beginCase(xml, name,
-                      xmlText({QStringLiteral("%1: %2").arg(scene.scene, nameOf(check.check))}));
+            beginCase(xml, name, xmlText({u"%1: %2"_s.arg(scene.scene, nameOf(check.check))}));
             if (!check.isPassed) {
-                xml.writeStartElement(QStringLiteral("failure"));
+                xml.writeStartElement(u"failure"_s);
                 xml.writeAttribute(
-                    QStringLiteral("message"),
+                    u"message"_s,
                     xmlText({scene.fault.isEmpty() ? verdictText(submission) : scene.fault}));
                 xml.writeCharacters(told);
                 xml.writeEndElement();
@@ -91,7 +90,7 @@ void writeSubmission(QXmlStreamWriter &xml, const GradedSubmission &submission, 
         }
     }
     if (const QString text = unsandboxedText(submission); !text.isEmpty())
-        xml.writeTextElement(QStringLiteral("system-err"), xmlText({text}));
+        xml.writeTextElement(u"system-err"_s, xmlText({text}));
     xml.writeEndElement();
 }
 
@@ -100,9 +99,9 @@ void writeUngraded(QXmlStreamWriter &xml, const QString &submission)
 {
     const QString name = xmlText({submission});
     beginSuite(xml, name, {.tests = 1, .skipped = 1});
-    beginCase(xml, name, QStringLiteral("no grade"));
-    xml.writeEmptyElement(QStringLiteral("skipped"));
-    xml.writeAttribute(QStringLiteral("message"), QStringLiteral("no grade"));
+    beginCase(xml, name, u"no grade"_s);
+    xml.writeEmptyElement(u"skipped"_s);
+    xml.writeAttribute(u"message"_s, u"no grade"_s);
     xml.writeEndElement();
     xml.writeEndElement();
 }
@@ -127,16 +126,14 @@ QByteArray csvOf(const GradeReport &report)
         writer->writeRow(
             {spreadsheetText(each.name), pointsText(each.points()),
              pointsText(report.assignment.points()), verdictText(each), differingText(each),
-             defectsText(each),
-             cellText(sentencesFor(each, report.assignment.hint).join(QStringLiteral(" / "))),
-             cellText(each.review.comment),
-             each.review.isAccepted ? QStringLiteral("yes") : QStringLiteral("no"),
+             defectsText(each), cellText(sentencesFor(each, report.assignment.hint).join(u" / "_s)),
+             cellText(each.review.comment), each.review.isAccepted ? u"yes"_s : u"no"_s,
              each.id, // begins with a letter, a digit or _
              sandboxText(each), cellText(each.review.reason.value_or(QString()))});
     for (const QString &name : report.missing)
         writer->writeRow({spreadsheetText(name), QString(), pointsText(report.assignment.points()),
-                          QStringLiteral("no grade"), QString(), QString(), QString(), QString(),
-                          QStringLiteral("no"), QString(), QString(), QString()});
+                          u"no grade"_s, QString(), QString(), QString(), QString(), u"no"_s,
+                          QString(), QString(), QString()});
     writer->end();
     return csv;
 }
@@ -147,8 +144,8 @@ QByteArray junitOf(const GradeReport &report)
     QXmlStreamWriter xml(&bytes);
     xml.setAutoFormatting(true);
     xml.writeStartDocument();
-    xml.writeStartElement(QStringLiteral("testsuites"));
-    xml.writeAttribute(QStringLiteral("name"), xmlText({report.assignment.name}));
+    xml.writeStartElement(u"testsuites"_s);
+    xml.writeAttribute(u"name"_s, xmlText({report.assignment.name}));
     for (const GradedSubmission &submission : report.submissions)
         writeSubmission(xml, submission, report.assignment.hint);
     for (const QString &name : report.missing)

@@ -33,7 +33,7 @@ ProgramLimits limitsAfter(const std::vector<Delivery> &deliveries)
 
 void addNote(const QString &note, Delivery &delivery)
 {
-    delivery.note = delivery.note ? *delivery.note + QStringLiteral("; ") + note : note;
+    delivery.note = delivery.note ? *delivery.note + u"; "_s + note : note;
 }
 
 /// Notes that it had less time than others, if it was late again.
@@ -41,12 +41,12 @@ void noteOnTime(const ProgramLimits &limits, Delivery &delivery)
 {
     const ProgramLimits whole;
     if (delivery.exceededTotalCpuTime && limits.timesInAll < whole.timesInAll)
-        addNote(QStringLiteral("its processes were given less time together, for they had computed "
-                               "too long in a scene before"),
+        addNote(u"its processes were given less time together, for they had computed "
+                "too long in a scene before"_s,
                 delivery);
     else if (delivery.hasWaited && limits.clockTimes < whole.clockTimes)
-        addNote(QStringLiteral("it was given less time by the clock, for it had been ended in a "
-                               "scene before"),
+        addNote(u"it was given less time by the clock, for it had been ended in a "
+                "scene before"_s,
                 delivery);
 }
 
@@ -80,9 +80,8 @@ void askForInvariants(const StudentProgram &student, const TrialTerms &terms,
     const InvariantReport report = checkInvariants(windingAs(asked.assignment.winding, judged),
                                                    asked.scene.scene, seed, pairs);
     if (report.undrawn > 0)
-        addNote(QStringLiteral("of the %1 pairs of random triangles that invariants ask for it did "
-                               "not draw %2: %3")
-                    .arg(report.checked + report.undrawn)
+        addNote(u"of the %1 pairs of random triangles that invariants ask for it did "
+                "not draw %2: %3"_s.arg(report.checked + report.undrawn)
                     .arg(report.undrawn)
                     .arg(shownText(report.firstUndrawn->why.message().toUtf8())),
                 delivery);
@@ -91,7 +90,7 @@ void askForInvariants(const StudentProgram &student, const TrialTerms &terms,
     delivery.brokenInvariants.emplace();
     for (const BrokenInvariant &broken : report.broken) {
         delivery.brokenInvariants->push_back(broken.invariant);
-        addNote(QStringLiteral("broken: ") + sentenceOf(broken.invariant), delivery);
+        addNote(u"broken: "_s + sentenceOf(broken.invariant), delivery);
     }
 }
 
@@ -113,7 +112,7 @@ void take(const QByteArray &content, const Result<StudentOutput> &output, const 
     else if (output->picture)
         delivery.picture = output->picture;
     else
-        refuse(delivery, PictureLack::TraceAlone, QStringLiteral("there is no picture in it"));
+        refuse(delivery, PictureLack::TraceAlone, u"there is no picture in it"_s);
 }
 
 Delivery drawnBy(const AssignedRun &asked, const std::vector<Delivery> &before,
@@ -123,7 +122,7 @@ Delivery drawnBy(const AssignedRun &asked, const std::vector<Delivery> &before,
     Delivery delivery;
     const std::optional<QString> path = entry.pathOf(file);
     if (!path) {
-        refuse(delivery, PictureLack::NotDrawn, QStringLiteral("the program's name is no UTF-8"));
+        refuse(delivery, PictureLack::NotDrawn, u"the program's name is no UTF-8"_s);
         return delivery;
     }
     // Next to a submission that is a single file lie other submissions.
@@ -160,7 +159,7 @@ Delivery drawnBy(const AssignedRun &asked, const std::vector<Delivery> &before,
     const bool isJudged = trial->output.picture.has_value();
     if (isJudged && trial->run.end == ProgramEnd::Failed)
         delivery.note = shownText(trial->run.told.toUtf8())
-            + QStringLiteral("; the picture that it wrote is judged all the same");
+            + u"; the picture that it wrote is judged all the same"_s;
     if (trial->run.end != ProgramEnd::Finished && !isJudged)
         refuse(delivery, PictureLack::NotDrawn, shownText(trial->fault->message().toUtf8()));
     else if (trial->fault)

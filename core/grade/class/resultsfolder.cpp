@@ -37,8 +37,8 @@ struct ResultsFolder::Place {
         const std::optional<mode_t> found = mode();
         if (!found || S_ISREG(*found))
             return std::nullopt;
-        return InputError{path, QStringLiteral("is ") + fileKindOf(*found),
-                          QStringLiteral("a file that grading wrote, or none")};
+        return InputError{path, u"is "_s + fileKindOf(*found),
+                          u"a file that grading wrote, or none"_s};
     }
     InputError error(const QString &what) const
     {
@@ -52,7 +52,7 @@ constexpr int folderFlags = O_RDONLY | O_DIRECTORY | O_CLOEXEC;
 // Reduced by the user's umask.
 constexpr mode_t everybody = 0777;
 constexpr mode_t readAndWrite = 0666;
-const QString cannotBeWritten = QStringLiteral("cannot be written: ");
+const QString cannotBeWritten = u"cannot be written: "_s;
 
 /// Writes all content and flushes it to the disk.
 bool fill(int descriptor, const QByteArray &content)
@@ -78,8 +78,7 @@ bool giveName(int file, int folder, const QByteArray &name)
 
 const QStringList &ResultsFolder::folders()
 {
-    static const QStringList names
-        = {QStringLiteral("grades"), QStringLiteral("pictures"), QStringLiteral("gradescope")};
+    static const QStringList names = {u"grades"_s, u"pictures"_s, u"gradescope"_s};
     return names;
 }
 
@@ -97,8 +96,8 @@ Result<ResultsFolder::Place> ResultsFolder::placeOf(const QString &file) const
                                 folderFlags | O_NOFOLLOW));
     if (!place.folder.isOpen())
         return InputError{folder.isEmpty() ? m_path : pathOf(folder),
-                          QStringLiteral("cannot be read: ") + qt_error_string(errno),
-                          QStringLiteral("a folder, and no link to one")};
+                          u"cannot be read: "_s + qt_error_string(errno),
+                          u"a folder, and no link to one"_s};
     return place;
 }
 
@@ -125,12 +124,11 @@ std::optional<InputError> ResultsFolder::makeFolders() const
         if (mkdirat(place->folder.number(), place->name.constData(), everybody) == 0)
             continue;
         if (errno != EEXIST)
-            return place->error(QStringLiteral("cannot be made: "));
+            return place->error(u"cannot be made: "_s);
         if (const std::optional<mode_t> found = place->mode(); found && !S_ISDIR(*found))
             return InputError{place->path,
-                              S_ISREG(*found) ? QStringLiteral("is a file")
-                                              : QStringLiteral("is ") + fileKindOf(*found),
-                              QStringLiteral("a folder of the results")};
+                              S_ISREG(*found) ? u"is a file"_s : u"is "_s + fileKindOf(*found),
+                              u"a folder of the results"_s};
     }
     return std::nullopt;
 }
@@ -153,7 +151,7 @@ Result<QByteArray> ResultsFolder::read(const QString &file) const
     QFile device;
     if (!content.isOpen()
         || !device.open(content.number(), QIODevice::ReadOnly | QIODevice::Unbuffered))
-        return place->error(QStringLiteral("cannot be read: "));
+        return place->error(u"cannot be read: "_s);
     // Not recorded: a grade that is read may be replaced by a newer one.
     if (auto refusal = refusalToRead(content.number()))
         return *refusal;

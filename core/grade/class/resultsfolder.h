@@ -11,15 +11,12 @@
 namespace pixelplumb {
 
 /// The files in a folder of results.
-inline const QString assignmentFile = QStringLiteral("assignment.json");
-inline const QString lockFile = QStringLiteral("grading.lock"); ///< empty; see ResultsLock
-inline const QString reviewsFile = QStringLiteral("reviews.json");
-inline const QString submissionListFile = QStringLiteral("submissions.json");
+inline const QString assignmentFile = u"assignment.json"_s;
+inline const QString lockFile = u"grading.lock"_s; ///< empty; see ResultsLock
+inline const QString reviewsFile = u"reviews.json"_s;
+inline const QString submissionListFile = u"submissions.json"_s;
 /// "grades/ID.json"
-inline QString submissionFile(const QString &id)
-{
-    return QStringLiteral("grades/%1.json").arg(id);
-}
+inline QString submissionFile(const QString &id) { return u"grades/%1.json"_s.arg(id); }
 
 /// A folder of results, whose files are named "assignment.json" or "grades/ID.json". Links in it
 /// are not followed, and only regular files are read or replaced. What is read from it does not

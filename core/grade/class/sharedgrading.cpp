@@ -44,10 +44,8 @@ std::optional<InputError> write(const ResultsFolder &results, GradedWork &work,
             continue;
         const Picture &picture = *work.pictures[i];
         GradedScene &scene = submission.scenes[i];
-        scene.picture
-            = QStringLiteral("pictures/%1-%2.%3")
-                  .arg(submission.id, scene.scene,
-                       picture.hasColours ? QStringLiteral("png") : QStringLiteral("txt"));
+        scene.picture = u"pictures/%1-%2.%3"_s.arg(submission.id, scene.scene,
+                                                   picture.hasColours ? u"png"_s : u"txt"_s);
         const QByteArray copy = picture.hasColours ? pngOf(picture) : rasterOf(picture);
         scene.pictureDigest = pictureDigestOf(copy);
         if (auto error = results.write(scene.picture, copy))

@@ -105,7 +105,7 @@ QString escapedName(const QByteArray &name)
             place += length;
             continue;
         }
-        text += QStringLiteral("\\x%1").arg(uchar(name[place]), 2, 16, QLatin1Char('0'));
+        text += u"\\x%1"_s.arg(uchar(name[place]), 2, 16, QLatin1Char('0'));
         ++place;
     }
     return text;
@@ -154,7 +154,7 @@ SubmissionEntry::SubmissionEntry(QByteArray folder, QByteArray entryName)
 Result<QByteArray> SubmissionEntry::read(const SubmittedFile &file, std::int64_t largest) const
 {
     const auto refusal = [&](const QString &why) {
-        return InputError{escapedName(file.name), QStringLiteral("cannot be read: ") + why, {}};
+        return InputError{escapedName(file.name), u"cannot be read: "_s + why, {}};
     };
     const Descriptor parent = openFolder(m_folder);
     const Descriptor own = m_isFolder ? openFolder(parent, m_name) : Descriptor();
@@ -164,11 +164,10 @@ Result<QByteArray> SubmissionEntry::read(const SubmittedFile &file, std::int64_t
     if (!content.isOpen() || fstat(content.number(), &status) != 0)
         return refusal(qt_error_string(errno));
     if (!S_ISREG(status.st_mode))
-        return refusal(QStringLiteral("it is no file"));
+        return refusal(u"it is no file"_s);
     if (status.st_size > largest)
-        return refusal(QStringLiteral("it has %1 bytes, at most %2 are read")
-                           .arg(qint64(status.st_size))
-                           .arg(largest));
+        return refusal(
+            u"it has %1 bytes, at most %2 are read"_s.arg(qint64(status.st_size)).arg(largest));
     QFile device;
     if (!device.open(content.number(), QIODevice::ReadOnly | QIODevice::Unbuffered))
         return refusal(device.errorString());
@@ -188,8 +187,8 @@ Result<std::vector<QByteArray>> submissionsIn(const QString &folder)
 {
     const Descriptor listed = openFolder(QFile::encodeName(folder));
     if (!listed.isOpen())
-        return InputError{folder, QStringLiteral("cannot be read: ") + qt_error_string(errno),
-                          QStringLiteral("a folder of submissions")};
+        return InputError{folder, u"cannot be read: "_s + qt_error_string(errno),
+                          u"a folder of submissions"_s};
     return namesIn(listed, mostSubmissions);
 }
 

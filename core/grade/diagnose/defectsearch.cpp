@@ -252,17 +252,32 @@ bool DefectSearch::tryPairs()
     std::vector<std::int64_t> alone = m_alone;
     std::ranges::sort(alone);
     const std::int64_t mostPaired = alone[std::min(nearestPaired, alone.size()) - 1];
-    const bool isDoneAgain = forPairs([&](const DefectSet &pair) {
+    // A pair that leaves more is neither due to rounding nor needs both (needsSecond).
+    const auto mostOf = [&](const DefectSet &pair) {
         const std::int64_t least = leastAlone(pair);
-        if (least > mostPaired)
-            return;
-        // A pair that leaves more is neither due to rounding nor needs both (needsSecond).
-        const std::int64_t most = std::max(m_mostOpen, least - least / 4) + 1;
-        const std::int64_t distance = m_matcher.distance(pair, std::min({most, least, limit()}));
-        const bool mayBeRounding = distance <= m_mostOpen;
-        if (distance < least && (mayBeRounding || needsSecond({pair, distance})))
+        return std::min({std::max(m_mostOpen, least - least / 4) + 1, least, limit()});
+    };
+    const auto examine = [&](const DefectSet &pair) {
+        const std::int64_t distance = m_matcher.distance(pair, mostOf(pair));
+        if (distance < leastAlone(pair)
+            && (distance <= m_mostOpen || needsSecond({pair, distance})))
             addNear(pair, distance);
+    };
+    std::vector<SetMatch> estimated; // by spans: the nearest of these are drawn whole
+    const bool isDoneAgain = forPairs([&](const DefectSet &pair) {
+        if (leastAlone(pair) > mostPaired)
+            return;
+        const auto estimate = m_matcher.estimate(pair, mostOf(pair));
+        if (!estimate)
+            examine(pair);
+        else if (*estimate < mostOf(pair))
+            estimated.push_back({pair, *estimate});
     });
+    std::ranges::stable_sort(estimated, {}, &SetMatch::distance);
+    for (const SetMatch &near : estimated) {
+        if (isDoneAgain && near.distance <= limit() + limit() / 8)
+            examine(near.set);
+    }
     if (!isDoneAgain)
         return false;
     explainNearest(true);
@@ -277,12 +292,11 @@ void DefectSearch::tryChoices()
     const std::vector<SetMatch> pairs = m_nearest;
     for (const SetMatch &near : pairs) {
         for (std::size_t i = 0; i < m_defects.size() && near.set.second; ++i) {
-            const std::size_t first = *near.set.first;
-            const std::size_t second = *near.set.second;
-            const bool isBeside = m_defects[i].isRightAlone && i != first && i != second
-                && canBeTogether(m_defects[first], m_defects[i])
-                && canBeTogether(m_defects[second], m_defects[i]);
-            if (!isBeside)
+            const auto isBeside = [&](std::size_t one) {
+                return i != one && canBeTogether(m_defects[one], m_defects[i]);
+            };
+            if (!m_defects[i].isRightAlone || !isBeside(*near.set.first)
+                || !isBeside(*near.set.second))
                 continue;
             DefectSet set = near.set;
             set.choice = i;

@@ -92,16 +92,16 @@ QString backgroundsOf(const DefectPictures &pictures, std::span<const FoundPictu
     for (const FoundPicture &each : found)
         names += nameOf(pictures.scenes()[each.scene].frame.background);
     names.removeDuplicates();
-    return names.join(QStringLiteral(" or "));
+    return names.join(u" or "_s);
 }
 
 Defect drawnOnOther(const Colour &other, const QString &backgrounds)
 {
     const PictureChange change = drawnOn(other, backgrounds);
     const auto &[red, green, blue] = other.channels;
-    return {.id = QStringLiteral("drawn-on-%1-%2-%3").arg(red).arg(green).arg(blue),
-            .forStudent = QStringLiteral("What is in the frame before anything is drawn?"),
-            .forAssistant = QStringLiteral("Done to the whole picture: %1.").arg(change.name),
+    return {.id = u"drawn-on-%1-%2-%3"_s.arg(red).arg(green).arg(blue),
+            .forStudent = u"What is in the frame before anything is drawn?"_s,
+            .forAssistant = u"Done to the whole picture: %1."_s.arg(change.name),
             .changePicture = change.pixel,
             .choice = change.kind};
 }
@@ -165,13 +165,13 @@ QString nameOf(DiagnosisVerdict verdict)
 {
     switch (verdict) {
     case DiagnosisVerdict::Right:
-        return QStringLiteral("right");
+        return u"right"_s;
     case DiagnosisVerdict::Undecidable:
-        return QStringLiteral("undecidable");
+        return u"undecidable"_s;
     case DiagnosisVerdict::Wrong:
         break;
     }
-    return QStringLiteral("wrong");
+    return u"wrong"_s;
 }
 
 QStringList DiagnosisCandidate::ids() const
@@ -206,15 +206,14 @@ QStringList DiagnosisCandidate::sentences(QString Defect::*words) const
 
 QString pixelsText(std::int64_t pixels)
 {
-    return pixels == 1 ? QStringLiteral("1 pixel") : QStringLiteral("%1 pixels").arg(pixels);
+    return pixels == 1 ? u"1 pixel"_s : u"%1 pixels"_s.arg(pixels);
 }
 
 QString undecidableText(std::int64_t pixels)
 {
     return pixels == 0
         ? QString()
-        : QStringLiteral("but for %1 that rounding or a sample on an edge may decide")
-              .arg(pixelsText(pixels));
+        : u"but for %1 that rounding or a sample on an edge may decide"_s.arg(pixelsText(pixels));
 }
 
 std::optional<Diagnosis> diagnose(std::span<const Submission> submissions,

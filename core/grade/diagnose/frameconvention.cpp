@@ -3,19 +3,21 @@
 
 namespace pixelplumb {
 
+using namespace Qt::StringLiterals;
+
 QString nameOf(FrameConvention convention)
 {
     switch (convention) {
     case FrameConvention::AsAsked:
-        return QStringLiteral("as asked");
+        return u"as asked"_s;
     case FrameConvention::OtherOrigin:
-        return QStringLiteral("other origin");
+        return u"other origin"_s;
     case FrameConvention::OtherCentre:
-        return QStringLiteral("other centre");
+        return u"other centre"_s;
     case FrameConvention::OtherBoth:
         break;
     }
-    return QStringLiteral("other origin and centre");
+    return u"other origin and centre"_s;
 }
 
 Scene sceneIn(Scene scene, FrameConvention convention)
@@ -32,10 +34,10 @@ Scene sceneIn(Scene scene, FrameConvention convention)
 
 QString sentenceOf(FrameConvention convention)
 {
-    const QString origin = QStringLiteral("y is counted from the other side than asked");
+    const QString origin = u"y is counted from the other side than asked"_s;
     const QString centre
-        = QStringLiteral("samples stand at the other pixel centre, half a pixel from where asked");
-    const QString judged = QStringLiteral("; judged by that convention");
+        = u"samples stand at the other pixel centre, half a pixel from where asked"_s;
+    const QString judged = u"; judged by that convention"_s;
     switch (convention) {
     case FrameConvention::AsAsked:
         return {};
@@ -46,7 +48,7 @@ QString sentenceOf(FrameConvention convention)
     case FrameConvention::OtherBoth:
         break;
     }
-    return origin + QStringLiteral(", and ") + centre + judged;
+    return origin + u", and "_s + centre + judged;
 }
 
 } // namespace pixelplumb

@@ -56,13 +56,13 @@ QString partingText(const StepNumbers &right, const StepNumbers &defective)
         if (!is.isNone() && !should.isNone() && errorOf(is, should) == 0)
             continue; // the same number in two arithmetics
         const auto text = [](const Quantity &quantity) {
-            return quantity.isNone() ? QStringLiteral("not there") : term(quantity);
+            return quantity.isNone() ? u"not there"_s : term(quantity);
         };
-        const QString parts = QStringLiteral("%1 is %2, should be %3")
-                                  .arg(right.descriptions[i].title, text(is), text(should));
+        const QString parts
+            = u"%1 is %2, should be %3"_s.arg(right.descriptions[i].title, text(is), text(should));
         if (is.isNone() || should.isNone() || std::abs(errorOf(is, should)) >= leastPlain)
             return parts;
-        return parts + QStringLiteral(", off by %1").arg(errorOf(is, should), 0, 'g', 3);
+        return parts + u", off by %1"_s.arg(errorOf(is, should), 0, 'g', 3);
     }
     return {};
 }
@@ -83,9 +83,9 @@ std::optional<PartingStep> partingStepOf(const Scene &right, const Scene &defect
     for (std::size_t index = 0; index < common; ++index) {
         const TraceStep step = found.stepAt(index);
         if (expected.stepAt(index) != step)
-            return PartingStep{index, explainStep(*defectiveRun, index).heading,
-                               QStringLiteral("the right run is at “%1” here")
-                                   .arg(explainStep(*rightRun, index).heading)};
+            return PartingStep{
+                index, explainStep(*defectiveRun, index).heading,
+                u"the right run is at “%1” here"_s.arg(explainStep(*rightRun, index).heading)};
         const QString text = partingText(ofRight.numbersOf(step), ofDefective.numbersOf(step));
         if (!text.isEmpty())
             return PartingStep{index, explainStep(*defectiveRun, index).heading, text};
@@ -95,8 +95,8 @@ std::optional<PartingStep> partingStepOf(const Scene &right, const Scene &defect
     const bool endsEarly = found.stepCount() < expected.stepCount();
     const TracedScene &longer = endsEarly ? *rightRun : *defectiveRun;
     return PartingStep{common, explainStep(longer, common).heading,
-                       endsEarly ? QStringLiteral("this is not drawn any more")
-                                 : QStringLiteral("this is drawn beyond the right run")};
+                       endsEarly ? u"this is not drawn any more"_s
+                                 : u"this is drawn beyond the right run"_s};
 }
 
 } // namespace pixelplumb

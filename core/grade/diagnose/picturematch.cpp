@@ -72,6 +72,11 @@ std::int64_t PictureMatcher::distance(const DefectSet &set, std::int64_t limit)
     return distance;
 }
 
+std::optional<std::int64_t> PictureMatcher::estimate(const DefectSet &set, std::int64_t limit) const
+{
+    return m_spans->distance(set, limit);
+}
+
 std::int64_t PictureMatcher::mostOpen()
 {
     std::int64_t covered = 0;

@@ -39,6 +39,8 @@ public:
     /// so. A limit of 1 only tests equality. What lies beyond the limit is estimated where pictures
     /// are large (SampledSpans).
     std::int64_t distance(const DefectSet &set, std::int64_t limit = unknown);
+    /// What some spans tell of it, up to the limit; none where they do not.
+    std::optional<std::int64_t> estimate(const DefectSet &set, std::int64_t limit) const;
     /// Pixels: more are never left open by rounding, and by samples on edges where these are open.
     std::int64_t mostOpen();
     const Margin &margin() const { return m_margin; }

@@ -59,8 +59,8 @@ std::vector<Reading> firstPixelsOf()
     return {std::nullopt,
             readingOf("counted-from-1",
                       "Which number has the first pixel of a row, and the first row?",
-                      QStringLiteral("Columns and rows are counted from 1, not from 0; judged by "
-                                     "that convention."),
+                      u"Columns and rows are counted from 1, not from 0; judged by "
+                      "that convention."_s,
                       countFromOne)};
 }
 

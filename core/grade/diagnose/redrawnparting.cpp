@@ -38,14 +38,14 @@ public:
             && m_right.colours[place] == m_redrawn.colours[place];
         if (isSame)
             return {};
-        const QString where = QStringLiteral("(%1, %2) ").arg(x).arg(y);
+        const QString where = u"(%1, %2) "_s.arg(x).arg(y);
         if (isExtra(place))
-            return where + QStringLiteral("is drawn but should not be");
+            return where + u"is drawn but should not be"_s;
         if (m_redrawn.covered[place] == 0)
-            return where + QStringLiteral("is left out");
+            return where + u"is left out"_s;
         return where
-            + QStringLiteral("is %1, should be %2")
-                  .arg(colourText(m_redrawn.colours[place]), colourText(m_right.colours[place]));
+            + u"is %1, should be %2"_s.arg(colourText(m_redrawn.colours[place]),
+                                           colourText(m_right.colours[place]));
     }
     QString firstInFrame() const { return firstIn(firstCorner(), lastCorner(), Which::All); }
     /// The first sample in the span's column or row that is drawn but should not be.

@@ -15,13 +15,13 @@ QString timesText(std::size_t times)
 {
     switch (times) {
     case 0:
-        return QStringLiteral("not drawn");
+        return u"not drawn"_s;
     case 1:
-        return QStringLiteral("drawn once");
+        return u"drawn once"_s;
     case 2:
-        return QStringLiteral("drawn twice");
+        return u"drawn twice"_s;
     default:
-        return QStringLiteral("drawn %1 times").arg(times);
+        return u"drawn %1 times"_s.arg(times);
     }
 }
 
@@ -48,9 +48,8 @@ std::optional<QString> notDrawnOnce(const ProgramTrace &trace, const TracedScene
         const bool isTooOften = is > most->size();
         QString should = timesText(isTooOften ? most->size() : least->size());
         if (least->size() < most->size())
-            should += isTooOften ? QStringLiteral(" at most") : QStringLiteral(" at least");
-        return QStringLiteral(
-                   "pixel (%1, %2) lies on an edge that triangles share: %3, should be %4")
+            should += isTooOften ? u" at most"_s : u" at least"_s;
+        return u"pixel (%1, %2) lies on an edge that triangles share: %3, should be %4"_s
             .arg(choice.x())
             .arg(choice.y())
             .arg(timesText(is), should);

@@ -19,17 +19,15 @@ QString textOf(const Place &place)
 {
     const auto &[axis, x, y] = place;
     if (!axis)
-        return QStringLiteral("pixel (%1, %2)").arg(x).arg(y);
-    return *axis == SpanAxis::Column ? QStringLiteral("column %1").arg(x)
-                                     : QStringLiteral("row %1").arg(y);
+        return u"pixel (%1, %2)"_s.arg(x).arg(y);
+    return *axis == SpanAxis::Column ? u"column %1"_s.arg(x) : u"row %1"_s.arg(y);
 }
 
 QString titleOf(std::optional<SpanAxis> axis, std::size_t number)
 {
-    const QStringList titles = !axis
-        ? QStringList{QStringLiteral("R"), QStringLiteral("G"), QStringLiteral("B")}
-        : *axis == SpanAxis::Column ? QStringList{QStringLiteral("y_B"), QStringLiteral("y_T")}
-                                    : QStringList{QStringLiteral("x_L"), QStringLiteral("x_R")};
+    const QStringList titles = !axis ? QStringList{u"R"_s, u"G"_s, u"B"_s}
+        : *axis == SpanAxis::Column  ? QStringList{u"y_B"_s, u"y_T"_s}
+                                     : QStringList{u"x_L"_s, u"x_R"_s};
     return titles[qsizetype(number)];
 }
 
@@ -136,7 +134,7 @@ private:
     }
     std::pair<QString, std::size_t> missing(std::size_t right) const
     {
-        return {textOf(m_right[right]) + QStringLiteral(" is missing"), m_right[right].step};
+        return {textOf(m_right[right]) + u" is missing"_s, m_right[right].step};
     }
     std::size_t stepNear(std::size_t right) const
     {
@@ -150,8 +148,7 @@ private:
         const QString text = pixelplumb::textOf(place);
         const bool isOnlyOne
             = !m_hasSeveral && !m_right.empty() && triangle == m_right.front().primitive;
-        return triangle && !isOnlyOne ? QStringLiteral("triangle %1, %2").arg(*triangle).arg(text)
-                                      : text;
+        return triangle && !isOnlyOne ? u"triangle %1, %2"_s.arg(*triangle).arg(text) : text;
     }
     QString textOf(const RightLine &line) const { return textOf(line.place, line.primitive); }
 
@@ -160,11 +157,11 @@ private:
         const Key key = keyOf(m_trace.lines[line]);
         const auto found = m_places.find(key);
         if (found == m_places.end())
-            return textOf(key.first, key.second) + QStringLiteral(" is there, should not be");
+            return textOf(key.first, key.second) + u" is there, should not be"_s;
         const std::size_t times = found->second.size();
         return textOf(key.first, key.second)
-            + (times == 1 ? QStringLiteral(" comes twice, should come once")
-                          : QStringLiteral(" comes once more, should come %1 times").arg(times));
+            + (times == 1 ? u" comes twice, should come once"_s
+                          : u" comes once more, should come %1 times"_s.arg(times));
     }
 
     QString numbersText(const WrittenLine &line, const RightLine &right) const
@@ -178,8 +175,8 @@ private:
                 continue;
             const Quantity should
                 = isByte ? Quantity::integer(byteOf(number.toDouble(), m_rounding)) : number;
-            return QStringLiteral("%1, %2: %3, should be %4")
-                .arg(textOf(right), titleOf(line.axis, i), is.text, term(should));
+            return u"%1, %2: %3, should be %4"_s.arg(textOf(right), titleOf(line.axis, i), is.text,
+                                                     term(should));
         }
         return {};
     }
@@ -213,10 +210,10 @@ private:
             else if (direction == 0)
                 direction = step;
             if (step != (isSameTriangle ? direction : forward))
-                return std::pair(QStringLiteral("the numbers are right, the order is another: %1 "
-                                                "comes after %2, should come before it")
-                                     .arg(textOf(after), textOf(*last)),
-                                 after.step);
+                return std::pair(
+                    u"the numbers are right, the order is another: %1 "
+                    "comes after %2, should come before it"_s.arg(textOf(after), textOf(*last)),
+                    after.step);
         }
         return std::nullopt;
     }
@@ -238,10 +235,10 @@ std::optional<std::pair<QString, std::size_t>> unknownTriangle(const ProgramTrac
     const std::size_t count = run.primitives.size();
     if (!trace.lastTriangle || *trace.lastTriangle < count)
         return std::nullopt;
-    return std::pair(QStringLiteral("triangle %1 is named, the scene has %2, counted from 0")
-                         .arg(*trace.lastTriangle)
-                         .arg(count),
-                     std::size_t(0));
+    return std::pair(
+        u"triangle %1 is named, the scene has %2, counted from 0"_s.arg(*trace.lastTriangle)
+            .arg(count),
+        std::size_t(0));
 }
 
 } // namespace
@@ -252,11 +249,10 @@ Result<std::optional<TraceDifference>> traceDifferenceOf(const Scene &scene,
 {
     const LineKinds &kinds = trace.kinds;
     const InputError noRun{{},
-                           QStringLiteral("no exact run of this scene has such lines"),
-                           QStringLiteral("column lines, or row lines, of triangles")};
+                           u"no exact run of this scene has such lines"_s,
+                           u"column lines, or row lines, of triangles"_s};
     if (kinds.hasColumns && kinds.hasRows)
-        return InputError{
-            {}, QStringLiteral("a trace has columns and rows"), QStringLiteral("one of the two")};
+        return InputError{{}, u"a trace has columns and rows"_s, u"one of the two"_s};
     const auto run = scene.hasTriangles() ? rightRunOf(scene, kinds) : nullptr;
     if (!run)
         return noRun;

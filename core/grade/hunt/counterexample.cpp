@@ -167,7 +167,7 @@ PictureSource sourceOf(const QString &defect, const Contender &of)
         }
         return std::nullopt;
     };
-    return {of.name() + QStringLiteral(" with ") + defect,
+    return {of.name() + u" with "_s + defect,
             [=](const Scene &scene) -> Result<Picture> {
                 const Scene right = sceneFor(scene, of);
                 const auto found = defectIn(right);
@@ -188,7 +188,7 @@ namespace {
 QString endText(const StudentRun &run)
 {
     const QString said = shownText(run.messages).trimmed();
-    return said.isEmpty() ? run.told : run.told + QStringLiteral(": ") + said.section(u'\n', -1);
+    return said.isEmpty() ? run.told : run.told + u": "_s + said.section(u'\n', -1);
 }
 
 } // namespace
@@ -206,9 +206,8 @@ PictureSource sourceOf(const StudentProgram &student, const TrialTerms &terms)
                 if (!output)
                     return output.error();
                 if (!output->picture)
-                    return InputError{QStringLiteral("the output"),
-                                      QStringLiteral("a trace without lines of pixels"),
-                                      QStringLiteral("a picture, or a line a pixel")};
+                    return InputError{u"the output"_s, u"a trace without lines of pixels"_s,
+                                      u"a picture, or a line a pixel"_s};
                 return std::move(*output->picture);
             },
             {},

@@ -46,9 +46,8 @@ std::optional<QString> beyondFrameText(const StudentOutput &output)
     if (lines == 0)
         return std::nullopt;
     return lines == 1
-        ? QStringLiteral("1 line of its trace lies beyond the frame and is passed over")
-        : QStringLiteral("%1 lines of its trace lie beyond the frame and are passed over")
-              .arg(lines);
+        ? u"1 line of its trace lies beyond the frame and is passed over"_s
+        : u"%1 lines of its trace lie beyond the frame and are passed over"_s.arg(lines);
 }
 
 Result<StudentRun> runOn(const StudentProgram &student, const Scene &scene, const TrialTerms &terms,

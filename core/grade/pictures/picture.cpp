@@ -62,8 +62,8 @@ bool hasTransparentPixel(const QImage &image)
 
 InputError tooLarge(const QString &name, const QSize &size)
 {
-    return {name, QStringLiteral("%1 × %2 pixels").arg(size.width()).arg(size.height()),
-            QStringLiteral("at most %1 pixels").arg(largestFrameArea)};
+    return {name, u"%1 × %2 pixels"_s.arg(size.width()).arg(size.height()),
+            u"at most %1 pixels"_s.arg(largestFrameArea)};
 }
 
 bool isTooLarge(const QSize &size)
@@ -131,18 +131,17 @@ Picture truePictureOf(const Scene &scene)
 
 QString transparencyText()
 {
-    return QStringLiteral(
-        "has transparent pixels; their transparency is ignored, their colours count");
+    return u"has transparent pixels; their transparency is ignored, their colours count"_s;
 }
 
 QString sizeHint(const QSize &size, const QSize &expected)
 {
     if (size != expected && size == expected.transposed())
-        return QStringLiteral(", as if width and height were exchanged");
+        return u", as if width and height were exchanged"_s;
     const int times = size.width() / std::max(1, expected.width());
     if (times < 2 || size != times * expected)
         return {};
-    return QStringLiteral(", %1 times as many each way, as if enlarged").arg(times);
+    return u", %1 times as many each way, as if enlarged"_s.arg(times);
 }
 
 std::int64_t largestPictureFileOf(const FrameSpec &frame)
@@ -158,12 +157,12 @@ bool isPictureFormat(const QByteArray &format)
     return formats.contains(format);
 }
 
-QString pictureFormatsText() { return QStringLiteral("PNG, PPM, BMP, or a raster of # and ."); }
+QString pictureFormatsText() { return u"PNG, PPM, BMP, or a raster of # and ."_s; }
 
 Result<Picture> parsePicture(const QByteArray &given, const QString &name, const QString &formats)
 {
     if (isUtf16(given))
-        return InputError{name, QStringLiteral("text in UTF-16"), formats};
+        return InputError{name, u"text in UTF-16"_s, formats};
     const QByteArray content = withoutByteOrderMark(given);
     if (looksLikeRaster(content)) {
         const Result<CoverageMask> raster = parseAsciiRaster(QString::fromLatin1(content));
@@ -176,25 +175,23 @@ Result<Picture> parsePicture(const QByteArray &given, const QString &name, const
         return picture;
     }
     if (content.isEmpty())
-        return InputError{name, QStringLiteral("it is empty"), formats};
+        return InputError{name, u"it is empty"_s, formats};
     const auto broken = [&name](const QString &fault) {
-        return InputError{name, QStringLiteral("no picture: ") + fault,
-                          QStringLiteral("a whole file")};
+        return InputError{name, u"no picture: "_s + fault, u"a whole file"_s};
     };
     PictureReader reader(content);
     if (!reader.fault().isEmpty())
         return broken(reader.fault());
     if (const QByteArray format = reader.format(); !format.isEmpty() && !isPictureFormat(format))
-        return InputError{
-            name, QStringLiteral("a picture of the kind %1").arg(QString::fromLatin1(format)),
-            formats};
+        return InputError{name, u"a picture of the kind %1"_s.arg(QString::fromLatin1(format)),
+                          formats};
     if (const QSize size = reader.size(); size.isValid() && isTooLarge(size))
         return tooLarge(name, size);
     QImage image = reader.read();
     if (image.isNull() && !reader.fault().isEmpty())
         return broken(reader.fault());
     if (image.isNull())
-        return InputError{name, QStringLiteral("no picture: ") + reader.errorString(), formats};
+        return InputError{name, u"no picture: "_s + reader.errorString(), formats};
     if (isTooLarge(image.size()))
         return tooLarge(name, image.size());
     return pictureIn(std::move(image));

@@ -33,8 +33,8 @@ void appendChannels(std::vector<PictureChange> &changes)
                 result.channels[i] = colour.channels[order[i]];
             return result;
         };
-        changes.push_back({QStringLiteral("channels %1 in place of RGB").arg(name),
-                           recolour(exchanged), QStringLiteral("channels")});
+        changes.push_back(
+            {u"channels %1 in place of RGB"_s.arg(name), recolour(exchanged), u"channels"_s});
     }
 }
 
@@ -70,15 +70,13 @@ void appendLevels(std::vector<PictureChange> &changes)
     const auto add = [&](const QString &name, Curve curve) {
         changes.push_back(
             {name, recolour([curve](const Colour &colour) { return mapped(colour, curve); }),
-             QStringLiteral("levels")});
+             u"levels"_s});
     };
-    add(QStringLiteral("encoded as sRGB once too often"), levelOfLight);
-    add(QStringLiteral("decoded from sRGB once too often"), linearLight);
+    add(u"encoded as sRGB once too often"_s, levelOfLight);
+    add(u"decoded from sRGB once too often"_s, linearLight);
     constexpr double gamma = 2.2;
-    add(QStringLiteral("raised to the power 1/2.2"),
-        [](double level) { return std::pow(level, 1 / gamma); });
-    add(QStringLiteral("raised to the power 2.2"),
-        [](double level) { return std::pow(level, gamma); });
+    add(u"raised to the power 1/2.2"_s, [](double level) { return std::pow(level, 1 / gamma); });
+    add(u"raised to the power 2.2"_s, [](double level) { return std::pow(level, gamma); });
     const auto addGray = [&](const QString &name, int (*level)(int red, int green, int blue),
                              const QString &sentence) {
         const auto gray = [level](const Colour &colour) {
@@ -86,25 +84,25 @@ void appendLevels(std::vector<PictureChange> &changes)
             const auto each = std::uint8_t(level(red, green, blue));
             return Colour{{each, each, each}};
         };
-        changes.push_back({name, recolour(gray), QStringLiteral("levels"), false, sentence});
+        changes.push_back({name, recolour(gray), u"levels"_s, false, sentence});
     };
-    addGray(QStringLiteral("gray of the mean of R G B"),
+    addGray(u"gray of the mean of R G B"_s,
             [](int red, int green, int blue) { return (red + green + blue) / 3; }, {});
     addGray(
-        QStringLiteral("gray of the luma of R G B"),
+        u"gray of the luma of R G B"_s,
         [](int red, int green, int blue) {
             // 0.299, 0.587 and 0.114 in whole 65536ths, as in Pillow's convert("L").
             return (19595 * red + 38470 * green + 7471 * blue + 32768) / 65536;
         },
-        QStringLiteral("Done to the whole picture: gray of 0.299 R + 0.587 G + 0.114 B."));
+        u"Done to the whole picture: gray of 0.299 R + 0.587 G + 0.114 B."_s);
     const auto addBits = [&](const QString &name, Widening widening) {
         changes.push_back({name, recolour([widening](const Colour &colour) {
                                return inHighColour(colour, widening);
                            }),
-                           QStringLiteral("levels")});
+                           u"levels"_s});
     };
-    addBits(QStringLiteral("cut to 5-6-5 bits"), Widening::ByZeros);
-    addBits(QStringLiteral("cut to 5-6-5 bits and widened to all levels"), Widening::ByOwnBits);
+    addBits(u"cut to 5-6-5 bits"_s, Widening::ByZeros);
+    addBits(u"cut to 5-6-5 bits and widened to all levels"_s, Widening::ByOwnBits);
 }
 
 PictureChange ofBackground(const QString &name, const Colour &colour)
@@ -115,7 +113,7 @@ PictureChange ofBackground(const QString &name, const Colour &colour)
             // What is covered is not the scene's background.
             return ChangedPixel{expected.covered[place] == 0 ? colour : expected.colours[place], 1};
         }),
-        QStringLiteral("background")};
+        u"background"_s};
 }
 
 constexpr Colour blackFrame{{0, 0, 0}};
@@ -126,7 +124,7 @@ void appendBackgrounds(const Colour &background, std::vector<PictureChange> &cha
 {
     for (const Colour &colour : {blackFrame, whiteFrame}) {
         if (colour != background)
-            changes.push_back(ofBackground(QStringLiteral("drawn on ") + nameOf(colour), colour));
+            changes.push_back(ofBackground(u"drawn on "_s + nameOf(colour), colour));
     }
 }
 
@@ -134,13 +132,13 @@ void appendBackgrounds(const Colour &background, std::vector<PictureChange> &cha
 void appendMask(std::vector<PictureChange> &changes)
 {
     changes.push_back(
-        {QStringLiteral("drawn in white alone"),
+        {u"drawn in white alone"_s,
          ruleOf([](const Picture &expected, int x, int line, const Colour &) {
              const std::size_t place = expected.placeOf(x, line);
              const std::uint8_t covered = expected.covered[place];
              return ChangedPixel{covered != 0 ? whiteFrame : expected.colours[place], covered};
          }),
-         QStringLiteral("mask")});
+         u"mask"_s});
 }
 
 } // namespace
@@ -163,11 +161,11 @@ Picture changed(const Picture &expected, const PixelRule &rule, const Colour &ba
 QString nameOf(const Colour &colour)
 {
     if (colour == blackFrame)
-        return QStringLiteral("black");
+        return u"black"_s;
     if (colour == whiteFrame)
-        return QStringLiteral("white");
+        return u"white"_s;
     const auto &[red, green, blue] = colour.channels;
-    return QStringLiteral("(%1, %2, %3)").arg(red).arg(green).arg(blue);
+    return u"(%1, %2, %3)"_s.arg(red).arg(green).arg(blue);
 }
 
 std::vector<PictureChange> pictureChangesFor(const Picture &expected, const Colour &background)
@@ -207,8 +205,7 @@ std::optional<Colour> otherBackgroundIn(const Picture &found, const Picture &exp
 
 PictureChange drawnOn(const Colour &other, const QString &right)
 {
-    return ofBackground(QStringLiteral("drawn on %1 in place of %2").arg(nameOf(other), right),
-                        other);
+    return ofBackground(u"drawn on %1 in place of %2"_s.arg(nameOf(other), right), other);
 }
 
 } // namespace pixelplumb

@@ -31,14 +31,10 @@ QString shiftName(int right, int down)
 {
     QStringList ways;
     if (right != 0)
-        ways += QStringLiteral("%1 to the %2")
-                    .arg(std::abs(right))
-                    .arg(right > 0 ? QStringLiteral("right") : QStringLiteral("left"));
+        ways += u"%1 to the %2"_s.arg(std::abs(right)).arg(right > 0 ? u"right"_s : u"left"_s);
     if (down != 0)
-        ways += QStringLiteral("%1 %2")
-                    .arg(std::abs(down))
-                    .arg(down > 0 ? QStringLiteral("down") : QStringLiteral("up"));
-    return QStringLiteral("shifted by ") + ways.join(QStringLiteral(" and "));
+        ways += u"%1 %2"_s.arg(std::abs(down)).arg(down > 0 ? u"down"_s : u"up"_s);
+    return u"shifted by "_s + ways.join(u" and "_s);
 }
 
 void appendShifts(std::vector<PictureChange> &changes)
@@ -50,7 +46,7 @@ void appendShifts(std::vector<PictureChange> &changes)
             changes.push_back({shiftName(dx, dy), moving([=](const Picture &, int x, int line) {
                                    return std::pair(x - dx, line - dy);
                                }),
-                               QStringLiteral("shift"), std::max(std::abs(dx), std::abs(dy)) > 1});
+                               u"shift"_s, std::max(std::abs(dx), std::abs(dy)) > 1});
         }
     }
 }
@@ -60,21 +56,21 @@ void appendFlips(std::vector<PictureChange> &changes)
     const auto right = [](const Picture &picture) { return picture.width - 1; };
     const auto bottom = [](const Picture &picture) { return picture.height - 1; };
     const auto add = [&](const QString &name, const auto &source) {
-        changes.push_back({name, moving(source), QStringLiteral("flip")});
+        changes.push_back({name, moving(source), u"flip"_s});
     };
-    add(QStringLiteral("upside down"),
+    add(u"upside down"_s,
         [=](const Picture &of, int x, int line) { return std::pair(x, bottom(of) - line); });
-    add(QStringLiteral("left and right exchanged"),
+    add(u"left and right exchanged"_s,
         [=](const Picture &of, int x, int line) { return std::pair(right(of) - x, line); });
-    add(QStringLiteral("turned by half a turn"), [=](const Picture &of, int x, int line) {
+    add(u"turned by half a turn"_s, [=](const Picture &of, int x, int line) {
         return std::pair(right(of) - x, bottom(of) - line);
     });
     // Rows are counted from the bottom: exchanging x and y exchanges lines and columns, mirrored.
     // What leaves a frame that is not square is lost.
-    add(QStringLiteral("x and y exchanged"), [=](const Picture &of, int x, int line) {
+    add(u"x and y exchanged"_s, [=](const Picture &of, int x, int line) {
         return std::pair(bottom(of) - line, bottom(of) - x);
     });
-    add(QStringLiteral("lines and columns exchanged"),
+    add(u"lines and columns exchanged"_s,
         [](const Picture &, int x, int line) { return std::pair(line, x); });
 }
 
@@ -129,25 +125,24 @@ void appendStrides(const Picture &expected, std::vector<PictureChange> &changes)
         for (const auto &[origin, from] :
              {std::pair(RowOrigin::Top, "top"), std::pair(RowOrigin::Bottom, "bottom")})
             changes.push_back(
-                {QStringLiteral("%1 from the %2 on").arg(what, QLatin1String(from)),
-                 moving(stored(origin)), QStringLiteral("stride"), false,
-                 QStringLiteral("The pixel (x, y) is written at %1 and read at y·width + x, y "
-                                "counted from the %2.")
-                     .arg(QString::fromUtf8(address), QLatin1String(from))});
+                {u"%1 from the %2 on"_s.arg(what, QLatin1String(from)), moving(stored(origin)),
+                 u"stride"_s, false,
+                 u"The pixel (x, y) is written at %1 and read at y·width + x, y "
+                 "counted from the %2."_s.arg(QString::fromUtf8(address), QLatin1String(from))});
     };
     const auto apart = [](const Stride &stride) {
         return [stride](RowOrigin origin) { return storedWith(stride, origin); };
     };
-    add(QStringLiteral("rows stored a pixel too far apart"), "y·(width + 1) + x",
+    add(u"rows stored a pixel too far apart"_s, "y·(width + 1) + x",
         apart([](const Picture &of) { return of.width + 1; }));
-    add(QStringLiteral("rows stored a pixel too near"), "y·(width − 1) + x",
+    add(u"rows stored a pixel too near"_s, "y·(width − 1) + x",
         apart([](const Picture &of) { return std::max(1, of.width - 1); }));
     if (expected.height == expected.width)
         return;
     if (std::abs(expected.height - expected.width) > 1)
-        add(QStringLiteral("rows stored as far apart as columns are high"), "y·height + x",
+        add(u"rows stored as far apart as columns are high"_s, "y·height + x",
             apart([](const Picture &of) { return of.height; }));
-    add(QStringLiteral("columns stored in place of rows"), "x·height + y", storedByColumns);
+    add(u"columns stored in place of rows"_s, "x·height + y", storedByColumns);
 }
 
 } // namespace

@@ -10,16 +10,18 @@
 
 namespace pixelplumb {
 
+using namespace Qt::StringLiterals;
+
 namespace {
 
-QString folderOf(pid_t process) { return QStringLiteral("/proc/%1").arg(process); }
+QString folderOf(pid_t process) { return u"/proc/%1"_s.arg(process); }
 
 /// Its own time and that of the children it waited for, in ticks.
 std::int64_t ticksOf(pid_t process)
 {
     // After the name, which may contain anything, come the state and, in proc(5)'s counting, fields
     // 14 … 17.
-    const QByteArray stat = procText(folderOf(process) + QStringLiteral("/stat"));
+    const QByteArray stat = procText(folderOf(process) + u"/stat"_s);
     const QList<QByteArray> fields = stat.mid(stat.lastIndexOf(')') + 2).split(' ');
     constexpr qsizetype firstTime = 14 - 3;
     std::int64_t ticks = 0;
@@ -30,9 +32,9 @@ std::int64_t ticksOf(pid_t process)
 
 void appendChildren(pid_t process, std::vector<pid_t> &processes)
 {
-    const QString tasks = folderOf(process) + QStringLiteral("/task");
+    const QString tasks = folderOf(process) + u"/task"_s;
     for (const QString &task : QDir(tasks).entryList(QDir::Dirs | QDir::NoDotAndDotDot)) {
-        const QByteArray children = procText(tasks + u'/' + task + QStringLiteral("/children"));
+        const QByteArray children = procText(tasks + u'/' + task + u"/children"_s);
         for (const QByteArray &child : children.simplified().split(' ')) {
             if (const pid_t number = child.toInt(); number > 0)
                 processes.push_back(number);

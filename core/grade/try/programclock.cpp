@@ -26,18 +26,16 @@ std::optional<LateEnd> ProgramClock::look(std::chrono::milliseconds computed, Cl
     const std::chrono::seconds own(m_limits.wholeSeconds());
     if (computed >= m_limits.timesInAll * own)
         return LateEnd{false,
-                       QStringLiteral("it was ended after %1 s of computing in all its processes")
-                           .arg((m_limits.timesInAll * own).count())};
+                       u"it was ended after %1 s of computing in all its processes"_s.arg(
+                           (m_limits.timesInAll * own).count())};
     // The number of earlier looks depends on the machine's load, so it is not reported.
     if (waitingShare * (computed - m_computedBefore) < own)
-        return LateEnd{
-            true,
-            QStringLiteral("it was ended by the clock: for %1 s it was not seen to compute")
-                .arg(double(m_limits.wallTime().count()) / 1000)};
+        return LateEnd{true,
+                       u"it was ended by the clock: for %1 s it was not seen to compute"_s.arg(
+                           double(m_limits.wallTime().count()) / 1000)};
     if (now >= m_start + timesByClock * own)
         return LateEnd{true,
-                       QStringLiteral("it was ended after %1 s by the clock")
-                           .arg((timesByClock * own).count())};
+                       u"it was ended after %1 s by the clock"_s.arg((timesByClock * own).count())};
     m_computedBefore = computed;
     m_nextLook = now + m_limits.wallTime();
     return std::nullopt;

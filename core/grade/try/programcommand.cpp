@@ -24,7 +24,7 @@ constexpr rlim_t openFiles = 256;
 /// The number of all existing processes and threads: no user has more.
 rlim_t presentProcesses()
 {
-    QFile load(QStringLiteral("/proc/loadavg"));
+    QFile load(u"/proc/loadavg"_s);
     if (!load.open(QIODevice::ReadOnly))
         return 0;
     return rlim_t(load.readAll().split(' ').value(3).split('/').value(1).toULongLong());
@@ -37,9 +37,9 @@ QString limitWord(const char *name, __rlimit_resource resource, rlim_t soft, rli
     getrlimit(resource, &present);
     const auto text = [&present](rlim_t limit) {
         const rlim_t least = std::min(limit, present.rlim_max);
-        return least == RLIM_INFINITY ? QStringLiteral("unlimited") : QString::number(least);
+        return least == RLIM_INFINITY ? u"unlimited"_s : QString::number(least);
     };
-    return QStringLiteral("--%1=%2:%3").arg(QLatin1String(name), text(soft), text(hard));
+    return u"--%1=%2:%3"_s.arg(QLatin1String(name), text(soft), text(hard));
 }
 
 /// Limits of each process. `processes` are counted by user; none: not limited.
@@ -50,7 +50,7 @@ QStringList limitWords(const ProgramLimits &limits, std::optional<rlim_t> proces
     };
     const auto seconds = rlim_t(limits.wholeSeconds());
     QStringList words = {
-        QStringLiteral("/usr/bin/prlimit"),
+        u"/usr/bin/prlimit"_s,
         // For each process. SIGXCPU comes first, at the soft limit, so that this end can be told
         // from others.
         limitWord("cpu", RLIMIT_CPU, seconds, seconds + 1),
@@ -59,7 +59,7 @@ QStringList limitWords(const ProgramLimits &limits, std::optional<rlim_t> proces
         word("core", RLIMIT_CORE, 0), word("msgqueue", RLIMIT_MSGQUEUE, 0)};
     if (processes)
         words += word("nproc", RLIMIT_NPROC, *processes);
-    return words + QStringList(QStringLiteral("--"));
+    return words + QStringList(u"--"_s);
 }
 
 /// Starts what follows after limiting the processes of the sandbox's first process, too. With a
@@ -70,9 +70,8 @@ QStringList firstProcessWords(const ProgramLimits &limits, const ProgramUser &us
         return {};
     const QString limit
         = limitWord("nproc", RLIMIT_NPROC, rlim_t(limits.processes), rlim_t(limits.processes));
-    return {QStringLiteral("/bin/sh"), QStringLiteral("-c"),
-            QStringLiteral("/usr/bin/prlimit --pid=1 %1 && exec \"$@\"").arg(limit),
-            QStringLiteral("sh")};
+    return {u"/bin/sh"_s, u"-c"_s, u"/usr/bin/prlimit --pid=1 %1 && exec \"$@\""_s.arg(limit),
+            u"sh"_s};
 }
 
 QStringList wordsOf(const StudentProgram &student)
@@ -89,9 +88,8 @@ QStringList systemFolders()
                              "/nix/store", "/gnu/store", "/etc/alternatives", "/etc/ld.so.cache",
                              "/etc/ld.so.conf", "/etc/ld.so.conf.d", "/etc/localtime"})
         folders += QString::fromLatin1(name);
-    const QDir settings(QStringLiteral("/etc"));
-    for (const QString &name :
-         settings.entryList({QStringLiteral("java-*"), QStringLiteral("mono")}, QDir::Dirs))
+    const QDir settings(u"/etc"_s);
+    for (const QString &name : settings.entryList({u"java-*"_s, u"mono"_s}, QDir::Dirs))
         folders += settings.filePath(name);
     return folders;
 }
@@ -99,10 +97,10 @@ QStringList systemFolders()
 /// Our own programs: a student's program that ran them would hand in their pictures.
 QStringList hiddenFiles()
 {
-    const QString own = QFile::symLinkTarget(QStringLiteral("/proc/self/exe"));
+    const QString own = QFile::symLinkTarget(u"/proc/self/exe"_s);
     QStringList files;
     const QDir folder(QFileInfo(own).path());
-    for (const QString &name : folder.entryList({QStringLiteral("pixelplumb*")}, QDir::Files))
+    for (const QString &name : folder.entryList({u"pixelplumb*"_s}, QDir::Files))
         files += folder.filePath(name);
     for (const char *name : {"pixelplumb", "pixelplumb-cli"})
         files += QStandardPaths::findExecutable(QLatin1String(name));
@@ -139,10 +137,8 @@ QStringList rootsFilesOfProc()
 QStringList hidingWords(const QString &path)
 {
     if (QFileInfo(path).isDir())
-        return {QStringLiteral("--size"),       QStringLiteral("4096"),
-                QStringLiteral("--tmpfs"),      path,
-                QStringLiteral("--remount-ro"), path};
-    return {QStringLiteral("--ro-bind"), QStringLiteral("/dev/null"), path};
+        return {u"--size"_s, u"4096"_s, u"--tmpfs"_s, path, u"--remount-ro"_s, path};
+    return {u"--ro-bind"_s, u"/dev/null"_s, path};
 }
 
 /// What the sandbox shows: the system and the program's own files, read-only, and folders in memory
@@ -152,30 +148,28 @@ QStringList viewWords(const QStringList &shown, const QStringList &hidden, std::
     QStringList words;
     QStringList seen = systemFolders();
     for (const QString &path : seen)
-        words += {QStringLiteral("--ro-bind-try"), path, path};
-    words += {QStringLiteral("--proc"), QStringLiteral("/proc"), QStringLiteral("--dev"),
-              QStringLiteral("/dev"),   QStringLiteral("--dir"), QStringLiteral("/run")};
+        words += {u"--ro-bind-try"_s, path, path};
+    words += {u"--proc"_s, u"/proc"_s, u"--dev"_s, u"/dev"_s, u"--dir"_s, u"/run"_s};
     for (const char *folder : {"/dev/shm", "/tmp"})
-        words += {QStringLiteral("--perms"), QStringLiteral("1777"),    QStringLiteral("--size"),
-                  QString::number(bytes),    QStringLiteral("--tmpfs"), QLatin1String(folder)};
+        words += {u"--perms"_s,           u"1777"_s,    u"--size"_s,
+                  QString::number(bytes), u"--tmpfs"_s, QLatin1String(folder)};
     // No terminals, which the machine has only a limited number of: /dev/ptmx leads nowhere.
-    words += hidingWords(QStringLiteral("/dev/pts"));
+    words += hidingWords(u"/dev/pts"_s);
     for (const QString &path : hidden)
         words += hidingWords(path);
     for (const QString &path : shown) {
         if (!isInOneOf(seen, path))
-            words += {QStringLiteral("--ro-bind"), path, path};
+            words += {u"--ro-bind"_s, path, path};
     }
     seen += shown;
     for (const QString &file : hiddenFiles()) {
         if (isInOneOf(seen, file))
             words += hidingWords(file);
     }
-    return words + QStringList{QStringLiteral("--perms"),      QStringLiteral("0777"),
-                               QStringLiteral("--dir"),        sandboxFolder(),
-                               QStringLiteral("--remount-ro"), QStringLiteral("/dev"),
-                               QStringLiteral("--remount-ro"), QStringLiteral("/"),
-                               QStringLiteral("--chdir"),      sandboxFolder()};
+    return words
+        + QStringList{u"--perms"_s,      u"0777"_s,      u"--dir"_s,        sandboxFolder(),
+                      u"--remount-ro"_s, u"/dev"_s,      u"--remount-ro"_s, u"/"_s,
+                      u"--chdir"_s,      sandboxFolder()};
 }
 
 /// What is separated, and which of root's capabilities stay until the user changes.
@@ -183,13 +177,12 @@ QStringList separationWords(const ProgramUser &user)
 {
     QStringList words;
     for (const char *space : {"ipc", "pid", "net", "uts", "cgroup-try"})
-        words += QStringLiteral("--unshare-") + QLatin1String(space);
+        words += u"--unshare-"_s + QLatin1String(space);
     if (!user.isOwn)
-        words += QStringLiteral("--unshare-user");
-    words += {QStringLiteral("--new-session"), QStringLiteral("--die-with-parent"),
-              QStringLiteral("--cap-drop"), QStringLiteral("ALL")};
+        words += u"--unshare-user"_s;
+    words += {u"--new-session"_s, u"--die-with-parent"_s, u"--cap-drop"_s, u"ALL"_s};
     for (const QString &capability : user.isOwn ? ProgramUser::capabilities() : QStringList())
-        words += {QStringLiteral("--cap-add"), capability};
+        words += {u"--cap-add"_s, capability};
     return words;
 }
 
@@ -211,7 +204,7 @@ QStringList sandboxedCommand(const StudentProgram &student, const ProgramLimits 
     // The program could trace the sandbox's first process and make it work for it.
     return limitWords(limits, std::nullopt) + QStringList{bubblewrapPath()} + separationWords(user)
         + viewWords(student.shown, user.isOwn ? rootsFiles : QStringList(), limits.files)
-        + QStringList{QStringLiteral("--seccomp"), QString::number(filter), QStringLiteral("--")}
+        + QStringList{u"--seccomp"_s, QString::number(filter), u"--"_s}
     + firstProcessWords(limits, user) + limitWords(limits, rlim_t(limits.processes))
         + user.command() + wordsOf(student);
 }
@@ -221,11 +214,10 @@ QString bubblewrapPath()
     // A relative entry of PATH could name a folder of the program to be confined.
     QStringList folders = qEnvironmentVariable("PATH").split(u':', Qt::SkipEmptyParts);
     folders.removeIf([](const QString &folder) { return QDir::isRelativePath(folder); });
-    return folders.isEmpty() ? QString()
-                             : QStandardPaths::findExecutable(QStringLiteral("bwrap"), folders);
+    return folders.isEmpty() ? QString() : QStandardPaths::findExecutable(u"bwrap"_s, folders);
 }
 
-QString sandboxFolder() { return QStringLiteral("/tmp/pixelplumb-program"); }
+QString sandboxFolder() { return u"/tmp/pixelplumb-program"_s; }
 
 QString faultOfStart(int exitCode, const QByteArray &messages)
 {

@@ -33,23 +33,22 @@ QString sentenceOf(const StudentRun &run, const ProgramLimits &limits)
 {
     switch (run.end) {
     case ProgramEnd::Finished:
-        return QStringLiteral("it finished");
+        return u"it finished"_s;
     case ProgramEnd::Failed:
-        return QStringLiteral("it ended with exit code %1").arg(run.code);
+        return u"it ended with exit code %1"_s.arg(run.code);
     case ProgramEnd::Crashed:
-        return QStringLiteral("it crashed: %1 (signal %2)")
-            .arg(QString::fromLatin1(sigdescr_np(run.code)), QString::number(run.code));
+        return u"it crashed: %1 (signal %2)"_s.arg(QString::fromLatin1(sigdescr_np(run.code)),
+                                                   QString::number(run.code));
     case ProgramEnd::TimedOut:
-        return QStringLiteral("it was ended after %1 s of computing").arg(limits.wholeSeconds());
+        return u"it was ended after %1 s of computing"_s.arg(limits.wholeSeconds());
     case ProgramEnd::Flooded:
-        return QStringLiteral("it was ended when it had written more than %1 bytes")
-            .arg(limits.output);
+        return u"it was ended when it had written more than %1 bytes"_s.arg(limits.output);
     case ProgramEnd::NotStarted:
-        return QStringLiteral("it could not be started");
+        return u"it could not be started"_s;
     case ProgramEnd::Cancelled:
         break;
     }
-    return QStringLiteral("it was cancelled");
+    return u"it was cancelled"_s;
 }
 
 /// One program, from its start to the end of all its descendants.
@@ -62,8 +61,7 @@ public:
         if (confinement == Confinement::Sandbox)
             return;
         m_folder = std::make_unique<WorkingFolder>();
-        m_run.sandboxLack
-            = sandboxLack().isEmpty() ? QStringLiteral("none was asked for") : sandboxLack();
+        m_run.sandboxLack = sandboxLack().isEmpty() ? u"none was asked for"_s : sandboxLack();
     }
 
     StudentRun run(const StudentProgram &student, const QByteArray &input)
@@ -85,7 +83,7 @@ private:
     StudentRun notStarted(const QString &why)
     {
         m_run.end = ProgramEnd::NotStarted;
-        m_run.told = QStringLiteral("it could not be started: ") + why;
+        m_run.told = u"it could not be started: "_s + why;
         return std::move(m_run);
     }
 
@@ -243,9 +241,9 @@ private:
         m_run.isInAll = m_lateEnd && !m_lateEnd->isByClock;
         m_run.told = m_lateEnd ? m_lateEnd->told : sentenceOf(m_run, m_limits);
         if (m_isUnwatched)
-            m_run.told += (m_isGivenUp ? QStringLiteral("; it could not be ended in 10 s: ")
-                                       : QStringLiteral("; what watched over it was killed: "))
-                + QStringLiteral("processes that it started were ended as far as they were found");
+            m_run.told += (m_isGivenUp ? u"; it could not be ended in 10 s: "_s
+                                       : u"; what watched over it was killed: "_s)
+                + u"processes that it started were ended as far as they were found"_s;
     }
 
     StudentRun m_run;
@@ -273,21 +271,21 @@ QString nameOf(ProgramEnd end)
 {
     switch (end) {
     case ProgramEnd::Finished:
-        return QStringLiteral("finished");
+        return u"finished"_s;
     case ProgramEnd::Failed:
-        return QStringLiteral("failed");
+        return u"failed"_s;
     case ProgramEnd::Crashed:
-        return QStringLiteral("crashed");
+        return u"crashed"_s;
     case ProgramEnd::TimedOut:
-        return QStringLiteral("timed out");
+        return u"timed out"_s;
     case ProgramEnd::Flooded:
-        return QStringLiteral("flooded");
+        return u"flooded"_s;
     case ProgramEnd::NotStarted:
-        return QStringLiteral("not started");
+        return u"not started"_s;
     case ProgramEnd::Cancelled:
         break;
     }
-    return QStringLiteral("cancelled");
+    return u"cancelled"_s;
 }
 
 StudentRun runProgram(const StudentProgram &student, const QByteArray &input,

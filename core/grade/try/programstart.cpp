@@ -46,8 +46,8 @@ bool canBeStarted(const QString &program)
 
 QStringList environmentIn(const QString &folder)
 {
-    return {QStringLiteral("PATH=/usr/local/bin:/usr/bin:/bin"), QStringLiteral("LC_ALL=C.UTF-8"),
-            QStringLiteral("HOME=") + folder, QStringLiteral("TMPDIR=") + folder};
+    return {u"PATH=/usr/local/bin:/usr/bin:/bin"_s, u"LC_ALL=C.UTF-8"_s, u"HOME="_s + folder,
+            u"TMPDIR="_s + folder};
 }
 
 } // namespace

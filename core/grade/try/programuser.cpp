@@ -12,12 +12,14 @@
 
 namespace pixelplumb {
 
+using namespace Qt::StringLiterals;
+
 namespace {
 
 /// Whether this process has the capability.
 bool hasCapability(int capability)
 {
-    const QByteArray status = procText(QStringLiteral("/proc/self/status"));
+    const QByteArray status = procText(u"/proc/self/status"_s);
     const QByteArray key = "\nCapEff:";
     const QByteArray mask = status.mid(status.indexOf(key) + key.size()).trimmed().left(16);
     return (mask.toULongLong(nullptr, 16) >> capability & 1U) != 0;
@@ -28,7 +30,7 @@ bool canChangeUser()
 {
     constexpr std::array needed = {CAP_SETUID, CAP_SETGID, CAP_SETPCAP, CAP_CHOWN};
     return geteuid() == 0 && std::ranges::all_of(needed, hasCapability)
-        && procText(QStringLiteral("/proc/self/uid_map")).simplified() == "0 0 4294967295";
+        && procText(u"/proc/self/uid_map"_s).simplified() == "0 0 4294967295";
 }
 
 } // namespace
@@ -48,27 +50,25 @@ QStringList ProgramUser::command() const
 {
     if (!isOwn)
         return {};
-    const auto kept = hasCapability(CAP_DAC_READ_SEARCH) ? QStringLiteral("-all,+dac_read_search")
-                                                         : QStringLiteral("-all");
-    return {QStringLiteral("/usr/bin/setpriv"),
-            QStringLiteral("--reuid=%1").arg(id),
-            QStringLiteral("--regid=%1").arg(id),
-            QStringLiteral("--clear-groups"),
-            QStringLiteral("--inh-caps=") + kept,
-            QStringLiteral("--ambient-caps=") + kept,
-            QStringLiteral("--bounding-set=") + kept,
-            QStringLiteral("--securebits=+noroot,+noroot_locked"),
-            QStringLiteral("--")};
+    const auto kept = hasCapability(CAP_DAC_READ_SEARCH) ? u"-all,+dac_read_search"_s : u"-all"_s;
+    return {u"/usr/bin/setpriv"_s,
+            u"--reuid=%1"_s.arg(id),
+            u"--regid=%1"_s.arg(id),
+            u"--clear-groups"_s,
+            u"--inh-caps="_s + kept,
+            u"--ambient-caps="_s + kept,
+            u"--bounding-set="_s + kept,
+            u"--securebits=+noroot,+noroot_locked"_s,
+            u"--"_s};
 }
 
 QStringList ProgramUser::capabilities()
 {
-    QStringList names = {QStringLiteral("CAP_SETUID"), QStringLiteral("CAP_SETGID"),
-                         QStringLiteral("CAP_SETPCAP")};
+    QStringList names = {u"CAP_SETUID"_s, u"CAP_SETGID"_s, u"CAP_SETPCAP"_s};
     if (hasCapability(CAP_DAC_READ_SEARCH))
-        names += QStringLiteral("CAP_DAC_READ_SEARCH");
+        names += u"CAP_DAC_READ_SEARCH"_s;
     if (hasCapability(CAP_DAC_OVERRIDE))
-        names += QStringLiteral("CAP_DAC_OVERRIDE");
+        names += u"CAP_DAC_OVERRIDE"_s;
     return names;
 }
 

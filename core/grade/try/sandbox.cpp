@@ -10,8 +10,8 @@ namespace {
 QString triedLack()
 {
     if (bubblewrapPath().isEmpty())
-        return QStringLiteral("bubblewrap (bwrap) is not installed");
-    const StudentProgram nothing{QStringLiteral("/bin/true"), {}, {}};
+        return u"bubblewrap (bwrap) is not installed"_s;
+    const StudentProgram nothing{u"/bin/true"_s, {}, {}};
     const StudentRun run = runProgram(nothing, {}, {}, {}, Confinement::Sandbox);
     return run.end == ProgramEnd::Finished ? QString() : run.told;
 }
@@ -31,10 +31,9 @@ Confinement bestConfinement()
 
 QString unsandboxedText(const QString &lack)
 {
-    return QStringLiteral("no sandbox (%1): time, memory and output were limited, but a program "
-                          "could use the network, read and change files, and end processes, as "
-                          "far as the user may as whom it ran")
-        .arg(lack);
+    return u"no sandbox (%1): time, memory and output were limited, but a program "
+           "could use the network, read and change files, and end processes, as "
+           "far as the user may as whom it ran"_s.arg(lack);
 }
 
 } // namespace pixelplumb

@@ -23,10 +23,9 @@ Result<QByteArray> sceneLines(const Scene &scene)
     const bool holdsMore = !scene.solids.empty() || !scene.shapes.empty()
         || !scene.attributes.empty() || frame.firstColumn != 0 || frame.firstRow != 0;
     if (holdsMore || scene.triangles.empty())
-        return InputError{
-            {},
-            QStringLiteral("the scene cannot be told in plain lines"),
-            QStringLiteral("triangles alone, in a frame from (0, 0); JSON tells all")};
+        return InputError{{},
+                          u"the scene cannot be told in plain lines"_s,
+                          u"triangles alone, in a frame from (0, 0); JSON tells all"_s};
     QByteArray text;
     QTextStream lines(&text);
     const auto writeColour = [&lines](const Colour &colour) {

@@ -23,9 +23,9 @@ constexpr qsizetype longestQuoted = 60;
 
 InputError otherSize(const QString &name, const QSize &size, const FrameSpec &frame)
 {
-    const QString text = QStringLiteral("%1 × %2 pixels");
+    const QString text = u"%1 × %2 pixels"_s;
     return {name,
-            QStringLiteral("a picture of ") + text.arg(size.width()).arg(size.height())
+            u"a picture of "_s + text.arg(size.width()).arg(size.height())
                 + sizeHint(size, {frame.width, frame.height}),
             text.arg(frame.width).arg(frame.height)};
 }
@@ -33,13 +33,12 @@ InputError otherSize(const QString &name, const QSize &size, const FrameSpec &fr
 InputError noPicture(const QString &name, const QByteArray &output)
 {
     const QString shown = shownText(output.left(longestQuoted * 4), longestQuoted);
-    return {
-        name,
-        output.isEmpty()      ? QStringLiteral("it is empty")
-            : isUtf16(output) ? QStringLiteral("text in UTF-16")
-                              : QStringLiteral("neither a picture nor lines of a trace: “%1”")
-                                    .arg(shown.simplified()),
-        QStringLiteral("PNG, PPM, BMP, a raster of # and ., or lines such as column 12 5 41.5")};
+    return {name,
+            output.isEmpty() ? u"it is empty"_s
+                : isUtf16(output)
+                ? u"text in UTF-16"_s
+                : u"neither a picture nor lines of a trace: “%1”"_s.arg(shown.simplified()),
+            u"PNG, PPM, BMP, a raster of # and ., or lines such as column 12 5 41.5"_s};
 }
 
 /// Why a picture must not be decoded; none where it may be.
@@ -54,10 +53,10 @@ std::optional<InputError> objectionToHeader(const QString &name, const QByteArra
         return noPicture(name, output);
     const QSize size = reader.size();
     if (!size.isValid())
-        return InputError{name,
-                          QStringLiteral("a picture (%1) that is broken or ends early")
-                              .arg(QString::fromLatin1(format)),
-                          {}};
+        return InputError{
+            name,
+            u"a picture (%1) that is broken or ends early"_s.arg(QString::fromLatin1(format)),
+            {}};
     if (size != QSize(frame.width, frame.height))
         return otherSize(name, size, frame);
     return std::nullopt;

@@ -27,6 +27,6 @@ bool isOfOtherSize(const QByteArray &output, const FrameSpec &frame);
 /// raster of # and ., or lines. A picture whose size is not the frame's is refused by its header,
 /// before memory is allocated for it.
 Result<StudentOutput> readStudentOutput(const QByteArray &output, const Scene &scene,
-                                        const QString &name = QStringLiteral("the output"));
+                                        const QString &name = u"the output"_s);
 
 } // namespace pixelplumb

@@ -23,21 +23,21 @@ bool isShared(const QString &folder)
         return true;
     const QDir home(QDir::home().canonicalPath()); // it may be a link
     const QStringList shared = {home.path(),
-                                home.filePath(QStringLiteral(".local")),
-                                home.filePath(QStringLiteral(".config")),
-                                home.filePath(QStringLiteral(".cache")),
+                                home.filePath(u".local"_s),
+                                home.filePath(u".config"_s),
+                                home.filePath(u".cache"_s),
                                 QDir::tempPath(),
-                                QStringLiteral("/tmp"),
-                                QStringLiteral("/var/tmp"),
-                                QStringLiteral("/run"),
-                                QStringLiteral("/etc"),
-                                QStringLiteral("/dev"),
-                                QStringLiteral("/proc"),
-                                QStringLiteral("/sys"),
-                                QStringLiteral("/home"),
-                                QStringLiteral("/root"),
-                                QStringLiteral("/mnt"),
-                                QStringLiteral("/media")};
+                                u"/tmp"_s,
+                                u"/var/tmp"_s,
+                                u"/run"_s,
+                                u"/etc"_s,
+                                u"/dev"_s,
+                                u"/proc"_s,
+                                u"/sys"_s,
+                                u"/home"_s,
+                                u"/root"_s,
+                                u"/mnt"_s,
+                                u"/media"_s};
     const QString beginning = folder.endsWith(u'/') ? folder : folder + u'/';
     return std::ranges::any_of(shared, [&](const QString &each) {
         return (QDir::cleanPath(each) + u'/').startsWith(beginning);
@@ -57,10 +57,9 @@ bool isOfInstallation(const QString &folder)
 {
     const QString name = QFileInfo(folder).fileName();
     const QDir above(QFileInfo(folder).path());
-    const bool hasLibraries = above.exists(QStringLiteral("lib"))
-        || above.exists(QStringLiteral("lib64")) || above.exists(QStringLiteral("libexec"));
-    return (name == QStringLiteral("bin") || name == QStringLiteral("shims")) && hasLibraries
-        && !isShared(above.path());
+    const bool hasLibraries
+        = above.exists(u"lib"_s) || above.exists(u"lib64"_s) || above.exists(u"libexec"_s);
+    return (name == u"bin"_s || name == u"shims"_s) && hasLibraries && !isShared(above.path());
 }
 
 void show(const QString &path, ShownFiles shown, QStringList &files)
@@ -81,7 +80,7 @@ void show(const QString &path, ShownFiles shown, QStringList &files)
 
 QString scriptInterpreter()
 {
-    const QString found = QStandardPaths::findExecutable(QStringLiteral("python3"));
+    const QString found = QStandardPaths::findExecutable(u"python3"_s);
     if (found.isEmpty())
         throw std::runtime_error("there is no python3 to run its program");
     return found;
@@ -94,9 +93,9 @@ Result<StudentProgram> studentProgramOf(const QStringList &words, ShownFiles sho
     StudentProgram student{
         file.isFile() ? wholePath(file) : QStandardPaths::findExecutable(name), words.mid(1), {}};
     if (name.isEmpty() || student.path.isEmpty())
-        return InputError{name, QStringLiteral("there is no such program"), {}};
+        return InputError{name, u"there is no such program"_s, {}};
     if (!QFileInfo(student.path).isExecutable())
-        return InputError{name, QStringLiteral("it is no program: its file is not executable"), {}};
+        return InputError{name, u"it is no program: its file is not executable"_s, {}};
     QStringList files = {student.path};
     for (QString &argument : student.arguments) {
         if (const QFileInfo named(filePath(argument)); named.exists()) {
@@ -104,9 +103,8 @@ Result<StudentProgram> studentProgramOf(const QStringList &words, ShownFiles sho
             // What a submission's link leads to may be anybody's: the assistant's own solution.
             if (named.isSymLink()
                 && QFileInfo(named.canonicalFilePath()).path() != QFileInfo(argument).path())
-                return InputError{named.filePath(),
-                                  QStringLiteral("is a link that leads out of its folder"),
-                                  QStringLiteral("the file itself")};
+                return InputError{named.filePath(), u"is a link that leads out of its folder"_s,
+                                  u"the file itself"_s};
             files += argument;
         }
     }

@@ -18,17 +18,19 @@
 
 namespace pixelplumb {
 
+using namespace Qt::StringLiterals;
+
 namespace {
 
-const QString nameStart = QStringLiteral("pixelplumb-program-");
+const QString nameStart = u"pixelplumb-program-"_s;
 
 QStringList removalOf(const QString &folder)
 {
     // Folders may lack permissions for their owner.
-    return {QStringLiteral("/bin/sh"), QStringLiteral("-c"),
-            QStringLiteral("/bin/rm -rf -- \"$1\" 2>/dev/null || "
-                           "{ /bin/chmod -R u+rwx -- \"$1\"; /bin/rm -rf -- \"$1\"; } 2>/dev/null"),
-            QStringLiteral("sh"), folder};
+    return {u"/bin/sh"_s, u"-c"_s,
+            u"/bin/rm -rf -- \"$1\" 2>/dev/null || "
+            "{ /bin/chmod -R u+rwx -- \"$1\"; /bin/rm -rf -- \"$1\"; } 2>/dev/null"_s,
+            u"sh"_s, folder};
 }
 
 void remove(const QString &folder)
@@ -91,9 +93,9 @@ void WorkingFolder::endProcesses() const
     bool hasFound = true;
     for (int round = 0; round < rounds && hasFound; ++round) {
         hasFound = false;
-        for (const QString &process : QDir(QStringLiteral("/proc")).entryList(QDir::Dirs)) {
+        for (const QString &process : QDir(u"/proc"_s).entryList(QDir::Dirs)) {
             const pid_t number = process.toInt();
-            QFile environment(QStringLiteral("/proc/%1/environ").arg(process));
+            QFile environment(u"/proc/%1/environ"_s.arg(process));
             const bool isOfProgram = number > 0 && environment.open(QIODevice::ReadOnly)
                 && environment.readAll().split('\0').contains(mark);
             if (isOfProgram)

@@ -195,17 +195,16 @@ Result<ProgramTrace> parseWrittenTrace(const QByteArray &text, const FrameSpec &
         }
         WrittenLine line;
         const std::int64_t before = std::ssize(trace.lines) + trace.beyondFrame;
-        const QString place = QStringLiteral("line %1 of the output").arg(number);
+        const QString place = u"line %1 of the output"_s.arg(number);
         if (before >= mostLines)
-            return InputError{place, QStringLiteral("one more column, row or pixel"),
-                              QStringLiteral("at most %1 of them").arg(mostLines)};
+            return InputError{place, u"one more column, row or pixel"_s,
+                              u"at most %1 of them"_s.arg(mostLines)};
         const bool isTooLong = whole.size() > longestLine;
         if (isTooLong || !takeLine(words, line))
             return InputError{
-                place, QStringLiteral("“%1”").arg(shownText(content, longestShown)),
-                QStringLiteral("column x y_B y_T, row y x_L x_R, pixel x y R G B or triangle n")
-                    + (isTooLong ? QStringLiteral(", in at most %1 bytes").arg(longestLine)
-                                 : QString())};
+                place, u"“%1”"_s.arg(shownText(content, longestShown)),
+                u"column x y_B y_T, row y x_L x_R, pixel x y R G B or triangle n"_s
+                    + (isTooLong ? u", in at most %1 bytes"_s.arg(longestLine) : QString())};
         kindOf(line, trace.kinds) = true;
         line.triangle = triangle;
         line.start = start;

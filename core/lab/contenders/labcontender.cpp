@@ -26,11 +26,11 @@ QString nameOf(LabKernel kernel)
 {
     switch (kernel) {
     case LabKernel::Plain:
-        return QStringLiteral("plain");
+        return u"plain"_s;
     case LabKernel::Fast:
-        return QStringLiteral("SIMD");
+        return u"SIMD"_s;
     case LabKernel::Peer:
-        return QStringLiteral("peer");
+        return u"peer"_s;
     }
     return {};
 }
@@ -47,12 +47,12 @@ QString LabContender::domain() const
     if (!isProved())
         return {};
     if (kernel == LabKernel::Fast)
-        return QStringLiteral("every triangle with vertices at 1/256 px by the plain kernel, whose "
-                              "bytes this one is tested to draw");
+        return u"every triangle with vertices at 1/256 px by the plain kernel, whose "
+               "bytes this one is tested to draw"_s;
     if (arithmetic == Arithmetic::Exact)
-        return QStringLiteral("every triangle with vertices at 1/256 px");
-    return QStringLiteral("triangles in boxes of up to 2^24 px², such as 4096 × 4096; larger ones "
-                          "are drawn in integers");
+        return u"every triangle with vertices at 1/256 px"_s;
+    return u"triangles in boxes of up to 2^24 px², such as 4096 × 4096; larger ones "
+           "are drawn in integers"_s;
 }
 
 ScanSettings LabContender::settingsUnder(FillRule rule) const
@@ -95,10 +95,10 @@ LabContender contenderOf(const Method &method, Arithmetic arithmetic, LabKernel 
     const bool isFast = kernel == LabKernel::Fast;
     LabContender contender;
     contender.id = method.id + u':' + nameText(nameOf(arithmetic));
-    contender.label = method.title + QStringLiteral(", ") + nameText(nameOf(arithmetic));
+    contender.label = method.title + u", "_s + nameText(nameOf(arithmetic));
     if (isFast) {
         contender.id += u':' + fastWord;
-        contender.label += QStringLiteral(", ") + nameOf(kernel);
+        contender.label += u", "_s + nameOf(kernel);
     }
     contender.method = &method;
     contender.arithmetic = arithmetic;

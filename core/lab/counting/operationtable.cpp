@@ -9,7 +9,7 @@ namespace {
 
 QString countOf(std::int64_t count, const QString &one, const QString &many)
 {
-    return QStringLiteral("%1 %2").arg(count).arg(count == 1 ? one : many);
+    return u"%1 %2"_s.arg(count).arg(count == 1 ? one : many);
 }
 
 QString tableLine(const QString &name, const QStringList &cells)
@@ -60,7 +60,7 @@ QString countsText(const OperationCounts &counts)
         texts.append(QStringLiteral(QT_TRANSLATE_NOOP("core", "%1 of %2 edges looked at"))
                          .arg(counts.edgesLookedAt)
                          .arg(counts.edgesOfRows));
-    return texts.join(QStringLiteral(", "));
+    return texts.join(u", "_s);
 }
 
 QStringList operationTableText(const OperationCounts &counts)

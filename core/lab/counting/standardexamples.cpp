@@ -71,18 +71,18 @@ QString exampleShapeName(PrimitiveKind kind)
     case PrimitiveKind::Triangle:
         break;
     case PrimitiveKind::Line:
-        return QStringLiteral("the line from (4, 5) to (58, 30)");
+        return u"the line from (4, 5) to (58, 30)"_s;
     case PrimitiveKind::Circle:
     case PrimitiveKind::Ellipse:
-        return QStringLiteral("the circle of radius 18 about (32, 24)");
+        return u"the circle of radius 18 about (32, 24)"_s;
     case PrimitiveKind::Bezier:
-        return QStringLiteral("the curve (4, 5) (30, 44) (58, 12)");
+        return u"the curve (4, 5) (30, 44) (58, 12)"_s;
     case PrimitiveKind::Polygon:
-        return QStringLiteral("an octagon of 52 × 40");
+        return u"an octagon of 52 × 40"_s;
     case PrimitiveKind::Point:
-        return QStringLiteral("the point (32, 24)");
+        return u"the point (32, 24)"_s;
     case PrimitiveKind::Text:
-        return QStringLiteral("the letters Ag, 32 high");
+        return u"the letters Ag, 32 high"_s;
     }
     return {};
 }
@@ -91,8 +91,7 @@ QString exampleShapeName(PrimitiveKind kind)
 
 std::vector<StandardExample> standardExamplesFor(const Method &method)
 {
-    const auto inFrame
-        = [](const QString &name) { return name + QStringLiteral(" in a frame of 64 × 48"); };
+    const auto inFrame = [](const QString &name) { return name + u" in a frame of 64 × 48"_s; };
     if (method.kinds.front() != PrimitiveKind::Triangle)
         return {{inFrame(exampleShapeName(method.kinds.front())), {{}, {exampleShape(method)}}}};
     const LatticePoint highest = {53 * unitsPerPixel / 2, 44 * unitsPerPixel};

@@ -161,10 +161,7 @@ constexpr LabFamilyInfo infos[] = {
 
 } // namespace
 
-QString nameOf(StudyExtent extent)
-{
-    return extent == StudyExtent::Quick ? QStringLiteral("quick") : QStringLiteral("full");
-}
+QString nameOf(StudyExtent extent) { return extent == StudyExtent::Quick ? u"quick"_s : u"full"_s; }
 
 std::size_t LabFamily::triangleCount() const
 {

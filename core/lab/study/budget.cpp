@@ -35,8 +35,7 @@ std::vector<Offer> offersOf(const Study &study, const QString &family)
 
 QString costText(const Offer &offer)
 {
-    return offer.perPixel ? QStringLiteral("%1 ns a pixel").arg(*offer.perPixel, 0, 'f', 2)
-                          : QStringLiteral("not timed");
+    return offer.perPixel ? u"%1 ns a pixel"_s.arg(*offer.perPixel, 0, 'f', 2) : u"not timed"_s;
 }
 
 /// Those that were not timed come last, in their order.
@@ -48,8 +47,7 @@ bool isCheaper(const Offer &one, const Offer &other)
 QString observation(const Offer &offer)
 {
     const AccuracyFigures &figures = *offer.row->accuracy;
-    return QStringLiteral("measured: %1 wrong of %2 pixels, bytes off by %3 at most")
-        .arg(figures.wrongPixels())
+    return u"measured: %1 wrong of %2 pixels, bytes off by %3 at most"_s.arg(figures.wrongPixels())
         .arg(figures.pixels)
         .arg(figures.largestByteError);
 }
@@ -63,11 +61,9 @@ BudgetAnswer answerFor(Budget budget, const Offer &offer)
     answer.ground = isProved ? BudgetGround::Proof : BudgetGround::Measurement;
     answer.contender = offer.contender->id;
     answer.nanosecondsPerPixel = offer.perPixel.value_or(0);
-    answer.reason
-        = QStringLiteral("%1, %2; %3")
-              .arg(offer.contender->label, costText(offer),
-                   offer.isProved() ? QStringLiteral("proved for ") + offer.contender->domain
-                                    : observation(offer));
+    answer.reason = u"%1, %2; %3"_s.arg(
+        offer.contender->label, costText(offer),
+        offer.isProved() ? u"proved for "_s + offer.contender->domain : observation(offer));
     return answer;
 }
 
@@ -101,13 +97,13 @@ QString textOf(Budget budget)
 {
     switch (budget) {
     case Budget::Exact:
-        return QStringLiteral("exact");
+        return u"exact"_s;
     case Budget::OneLevel:
         return QStringLiteral(QT_TRANSLATE_NOOP("core", "at most one level"));
     case Budget::TenPerMillion:
-        return QStringLiteral("at most 10 wrong pixels per million");
+        return u"at most 10 wrong pixels per million"_s;
     case Budget::SixteenMilliseconds:
-        return QStringLiteral("16 ms a frame");
+        return u"16 ms a frame"_s;
     }
     return {};
 }
@@ -162,7 +158,7 @@ BudgetAnswer cheapestFor(Budget budget, const Study &study, const QString &famil
         return answerFor(budget, offers.front());
     BudgetAnswer nobody;
     nobody.budget = budget;
-    nobody.reason = QStringLiteral("no contender meets “%1”").arg(textOf(budget));
+    nobody.reason = u"no contender meets “%1”"_s.arg(textOf(budget));
     return nobody;
 }
 

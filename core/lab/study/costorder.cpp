@@ -80,7 +80,7 @@ std::optional<CostOrderChoice> firstInOrder(Budget budget, const Scene &scene,
         const bool isPlain = !run.plan || run.plan->isPlain();
         if (contender.isProved() && isPlain) {
             return CostOrderChoice{&contender, BudgetGround::Proof,
-                                   QStringLiteral("proved for ") + contender.domain(), settings};
+                                   u"proved for "_s + contender.domain(), settings};
         }
         if (budget == Budget::Exact && isPlain)
             continue;
@@ -98,16 +98,15 @@ std::optional<CostOrderChoice> firstInOrder(Budget budget, const Scene &scene,
             continue;
         return CostOrderChoice{
             &contender, BudgetGround::Measurement,
-            QStringLiteral("measured on this scene: %1 wrong of %2 pixels, bytes off by %3 at most")
+            u"measured on this scene: %1 wrong of %2 pixels, bytes off by %3 at most"_s
                 .arg(figures.wrongPixels())
                 .arg(figures.pixels)
                 .arg(figures.largestByteError),
             settings};
     }
     return CostOrderChoice{nullptr, BudgetGround::Nobody,
-                           QStringLiteral("no method of the order keeps the scene's fill rule, "
-                                          "does what it calls for and meets “%1”")
-                               .arg(textOf(budget)),
+                           u"no method of the order keeps the scene's fill rule, "
+                           "does what it calls for and meets “%1”"_s.arg(textOf(budget)),
                            scene.settings};
 }
 

@@ -144,8 +144,7 @@ Group segments(const QString &name, const MakeSolid &solidOf, const DistanceOf &
     Group group{name, {}, lit(solidOf(128))};
     for (const int count : counts) {
         const Solid solid = solidOf(count);
-        group.ways.push_back(
-            {QStringLiteral("%1 segments").arg(count), lit(solid), distanceOf(solid)});
+        group.ways.push_back({u"%1 segments"_s.arg(count), lit(solid), distanceOf(solid)});
     }
     return group;
 }
@@ -201,7 +200,7 @@ Group neutralEffects()
          {Effect::SmoothColour, Effect::Depth, Effect::Perspective, Effect::Blending}) {
         Way &way = group.ways.emplace_back(
             Way{QLatin1String(nameOf(effect).data(), qsizetype(nameOf(effect).size()))
-                    + QStringLiteral(" forced on"),
+                    + u" forced on"_s,
                 scene});
         way.scene.appearance.forced[effect] = Forcing::On;
     }
@@ -255,7 +254,7 @@ Group lines(const QString &name, const std::string &method, Antialiasing antiali
             scene.appearance.antialiasing = antialiasing;
             return scene;
         };
-        Way &way = group.ways.emplace_back(Way{QStringLiteral("%1°").arg(degrees), drawn(2)});
+        Way &way = group.ways.emplace_back(Way{u"%1°"_s.arg(degrees), drawn(2)});
         way.brightness = (brightnessOf(drawn(2)) - brightnessOf(drawn(1))) / std::hypot(dx, dy);
         way.truth = way.scene;
         way.truth->method = "stroke-coverage";

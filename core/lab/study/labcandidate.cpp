@@ -71,8 +71,8 @@ LabCandidate::LabCandidate(const LabContender &contender, const LabFamily &famil
     } else {
         m_verdict.outcome = LabOutcome::Refused;
         m_verdict.remark = contender.kernel == LabKernel::Peer
-            ? QStringLiteral("is given whole pixels inside the frame alone")
-            : QStringLiteral("keeps no rule under which every sample has one owner");
+            ? u"is given whole pixels inside the frame alone"_s
+            : u"keeps no rule under which every sample has one owner"_s;
     }
 }
 
@@ -86,8 +86,7 @@ void LabCandidate::giveUp(const QString &why)
 {
     m_verdict.outcome = LabOutcome::TookTooLong;
     m_verdict.remark = why
-        + QStringLiteral(" for %1 of %2 triangles")
-              .arg(m_judge.figures().triangles)
+        + u" for %1 of %2 triangles"_s.arg(m_judge.figures().triangles)
               .arg(m_family.triangleCount());
 }
 
@@ -132,9 +131,9 @@ void LabCandidate::drawAll(const LabChunk &chunk, const FrameView &frame, Look l
         m_samples
             += look == Look::Near && m_visitsFrame ? samplesIn(samplesOf(frame)) : samplesIn(box);
         if (m_samples > m_options.mostSamples)
-            giveUp(QStringLiteral("looked at more than %1 samples").arg(m_options.mostSamples));
+            giveUp(u"looked at more than %1 samples"_s.arg(m_options.mostSamples));
         else if (m_verdict.nanoseconds > m_options.hangSeconds * 1e9)
-            giveUp(QStringLiteral("took more than %1 s").arg(m_options.hangSeconds));
+            giveUp(u"took more than %1 s"_s.arg(m_options.hangSeconds));
         if (!isRunning())
             return;
     }

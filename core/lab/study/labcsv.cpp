@@ -36,21 +36,20 @@ public:
     {
         for (const WorkStage stage : allWorkStages) {
             for (const Operation operation : allOperations) {
-                add(QStringLiteral("%1.%2 %3")
-                        .arg(name, fileWord(nameOf(stage)), fileWord(nameOf(operation))),
+                add(u"%1.%2 %3"_s.arg(name, fileWord(nameOf(stage)), fileWord(nameOf(operation))),
                     counts.of(stage, operation));
             }
         }
-        add(name + QStringLiteral(".primitives"), counts.primitives);
-        add(name + QStringLiteral(".spans"), counts.spans);
-        add(name + QStringLiteral(".pixels"), counts.pixels);
-        add(name + QStringLiteral(".refused"), counts.refused);
+        add(name + u".primitives"_s, counts.primitives);
+        add(name + u".spans"_s, counts.spans);
+        add(name + u".pixels"_s, counts.pixels);
+        add(name + u".refused"_s, counts.refused);
     }
     template <class T, std::size_t count>
     void add(const QString &name, const std::array<T, count> &values)
     {
         for (std::size_t i = 0; i < count; ++i)
-            add(QStringLiteral("%1[%2]").arg(name, QString::number(i)), values[i]);
+            add(u"%1[%2]"_s.arg(name, QString::number(i)), values[i]);
     }
     template <class T>
     void add(const QString &name, const std::optional<T> &value)
@@ -75,7 +74,7 @@ private:
         QString field = m_kind == Kind::Header ? name : m_isMissing ? QString() : value;
         if (field.contains(u',') || field.contains(u'"') || field.contains(u'\n')
             || field.contains(u'\r'))
-            field = u'"' + field.replace(u'"', QStringLiteral("\"\"")) + u'"';
+            field = u'"' + field.replace(u'"', u"\"\""_s) + u'"';
         m_fields.append(field);
     }
 

@@ -10,8 +10,8 @@ namespace pixelplumb {
 QByteArray writeStudy(const Study &study)
 {
     QJsonObject object = jsonOf(study).toObject();
-    object.insert(QStringLiteral("pixelplumbLab"), labFileVersion);
-    object.insert(QStringLiteral("warnings"), QJsonArray::fromStringList(warningsOf(study)));
+    object.insert(u"pixelplumbLab"_s, labFileVersion);
+    object.insert(u"warnings"_s, QJsonArray::fromStringList(warningsOf(study)));
     return QJsonDocument(object).toJson();
 }
 
@@ -28,18 +28,18 @@ Result<Study> readStudy(const QByteArray &text)
     JsonReader json(text);
     if (json.hasFailed())
         return json.error();
-    const QString versionKey = QStringLiteral("pixelplumbLab");
+    const QString versionKey = u"pixelplumbLab"_s;
     const JsonNode version = json.root()[versionKey];
     const QString expected = QString::number(labFileVersion);
     if (json.root().isObject() && version.isMissing()) {
-        json.fail(json.root(), QStringLiteral("no “%1”").arg(versionKey), expected);
+        json.fail(json.root(), u"no “%1”"_s.arg(versionKey), expected);
         return json.error();
     }
     Study study;
     if (version.toInteger(0) != labFileVersion)
         json.fail(version, describe(version), expected);
     else
-        FieldReader(json).readMembers(json.root(), study, {versionKey, QStringLiteral("warnings")});
+        FieldReader(json).readMembers(json.root(), study, {versionKey, u"warnings"_s});
     if (json.hasFailed())
         return json.error();
     return study;

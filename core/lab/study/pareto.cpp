@@ -60,11 +60,11 @@ QString nameOf(ErrorClass errorClass)
     case ErrorClass::Positive:
         break;
     case ErrorClass::ZeroObserved:
-        return QStringLiteral("observed");
+        return u"observed"_s;
     case ErrorClass::ZeroTested:
-        return QStringLiteral("tested");
+        return u"tested"_s;
     case ErrorClass::ZeroProved:
-        return QStringLiteral("proved");
+        return u"proved"_s;
     }
     return {};
 }

@@ -26,12 +26,11 @@ QString SceneCost::text() const
 QString SceneCost::details() const
 {
     const auto number = [](double value) { return QString::number(value, 'f', 2); };
-    return QStringLiteral("The time is that of the plain kernel, the one that is stepped through, "
-                          "on one thread:\nmedian of %1 rounds %2 ns a pixel, the middle half %3 … "
-                          "%4, over %5 px of triangles, each as often as it is written.")
-        .arg(rounds)
-        .arg(number(perPixel.median), number(perPixel.lower), number(perPixel.upper))
-        .arg(pixels);
+    return u"The time is that of the plain kernel, the one that is stepped through, "
+           "on one thread:\nmedian of %1 rounds %2 ns a pixel, the middle half %3 … "
+           "%4, over %5 px of triangles, each as often as it is written."_s.arg(rounds)
+               .arg(number(perPixel.median), number(perPixel.lower), number(perPixel.upper))
+               .arg(pixels);
 }
 
 std::optional<SceneCost> costOf(const std::shared_ptr<const Scene> &scene,

@@ -52,10 +52,10 @@ QString quoted(const QString &path)
     static const QRegularExpression plain("^[A-Za-z0-9_@%+:,./-]+\\z");
     QString text = path;
     if (text.startsWith(u'-') && text.size() > 1)
-        text.prepend(QStringLiteral("./"));
+        text.prepend(u"./"_s);
     if (plain.match(text).hasMatch())
         return text;
-    return u'\'' + text.replace(u'\'', QStringLiteral("'\\''")) + u'\'';
+    return u'\'' + text.replace(u'\'', u"'\\''"_s) + u'\'';
 }
 
 /// Empty if the scene has no name to call it by.
@@ -66,15 +66,14 @@ QString commandFor(const StudySettings &settings)
     QStringList words = {"pixelplumb-cli lab"};
     if (settings.ownScene)
         words << quoted(settings.ownSceneName);
-    words << QStringLiteral("--") + nameOf(settings.extent)
-          << QStringLiteral("--seed %1").arg(settings.seed);
+    words << u"--"_s + nameOf(settings.extent) << u"--seed %1"_s.arg(settings.seed);
     if (!settings.families.isEmpty())
-        words << QStringLiteral("--family ") + settings.families.join(u',');
+        words << u"--family "_s + settings.families.join(u',');
     QStringList ids;
     for (const LabContender &contender : settings.contenders)
         ids << contender.id;
     if (!ids.isEmpty())
-        words << QStringLiteral("--contender ") + ids.join(u',');
+        words << u"--contender "_s + ids.join(u',');
     return words.join(u' ');
 }
 
@@ -185,8 +184,8 @@ private:
             }
             if (m_race.enter(index, m_contenders[who], part, row.settings, expectedOf(index)))
                 continue;
-            row.remark = QStringLiteral("not timed: a draw takes about %1 ms")
-                             .arg(m_expected[index] / 1e6, 0, 'f', 0);
+            row.remark
+                = u"not timed: a draw takes about %1 ms"_s.arg(m_expected[index] / 1e6, 0, 'f', 0);
             tellRow(index);
         }
         const bool goesOnNow = m_race.runRound(0, m_scale.next(m_times.round), firstEntry);

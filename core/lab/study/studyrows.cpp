@@ -29,15 +29,15 @@ QString nameOf(LabOutcome outcome)
 {
     switch (outcome) {
     case LabOutcome::Pending:
-        return QStringLiteral("pending");
+        return u"pending"_s;
     case LabOutcome::Measured:
-        return QStringLiteral("measured");
+        return u"measured"_s;
     case LabOutcome::Refused:
-        return QStringLiteral("refused");
+        return u"refused"_s;
     case LabOutcome::TookTooLong:
-        return QStringLiteral("took-too-long");
+        return u"took-too-long"_s;
     case LabOutcome::Failed:
-        return QStringLiteral("failed");
+        return u"failed"_s;
     }
     return {};
 }
@@ -92,7 +92,7 @@ QStringList warningsOf(const Study &study)
 {
     QStringList warnings = warningsOf(study.conditions);
     if (!study.isComplete)
-        warnings << QStringLiteral("The study was ended before all was measured.");
+        warnings << u"The study was ended before all was measured."_s;
     std::int64_t timed = 0, wide = 0, missing = 0, vouched = 0;
     for (const LabRow &row : study.rows) {
         if (!row.cost || row.cost->rounds == 0)
@@ -104,11 +104,9 @@ QStringList warningsOf(const Study &study)
         missing += row.missesStraight() ? 1 : 0;
     }
     if (timed > 0 && study.rounds == 0)
-        warnings << QStringLiteral(
-            "Not everyone was timed; who was, was timed once or a few times.");
+        warnings << u"Not everyone was timed; who was, was timed once or a few times."_s;
     else if (timed > 0 && study.rounds < enoughRounds)
-        warnings << QStringLiteral(
-                        "Only %1 rounds were timed; medians of fewer than %2 say little.")
+        warnings << u"Only %1 rounds were timed; medians of fewer than %2 say little."_s
                         .arg(study.rounds)
                         .arg(enoughRounds);
     if (wide > 0)

@@ -47,11 +47,10 @@ void appendCoordinate(NumberTable<BezierStep> &table, std::size_t control, QChar
 {
     table.push_back(
         {comparedNumber(
-             QStringLiteral("%1_%2").arg(axis).arg(control),
-             QString(axis) + QChar(char16_t(0x2080 + control)), "px",
-             QStringLiteral("%1 of control point P%2; none where it takes more than 120 bits.")
-                 .arg(axis)
-                 .arg(control),
+             u"%1_%2"_s.arg(axis).arg(control), QString(axis) + QChar(char16_t(0x2080 + control)),
+             "px",
+             u"%1 of control point P%2; none where it takes more than 120 bits."_s.arg(axis).arg(
+                 control),
              {}, Group::Span),
          [=](const BezierStep &step) {
              const BezierPiece &piece = step.piece;
@@ -64,8 +63,7 @@ void appendCoordinate(NumberTable<BezierStep> &table, std::size_t control, QChar
 QString diagonalText(QChar coordinate, std::size_t control)
 {
     const QChar digit(char16_t(0x2080 + control));
-    return coordinate == u'a' ? QStringLiteral("x%1 + y%1").arg(digit)
-                              : QStringLiteral("y%1 − x%1").arg(digit);
+    return coordinate == u'a' ? u"x%1 + y%1"_s.arg(digit) : u"y%1 − x%1"_s.arg(digit);
 }
 
 /// "min(x₀ + y₀, x₁ + y₁, x₂ + y₂)": over the control points of a piece.
@@ -74,41 +72,39 @@ QString extremeText(const QString &function, QChar coordinate, std::size_t count
     QStringList each;
     for (std::size_t control = 0; control < count; ++control)
         each.append(diagonalText(coordinate, control));
-    return function + u'(' + each.join(QStringLiteral(", ")) + u')';
+    return function + u'(' + each.join(u", "_s) + u')';
 }
 
 /// The squares, from the lowest to the highest, that a piece may meet along a or b: they decide it.
 void appendSquares(NumberTable<BezierStep> &table, QChar coordinate,
                    const DiamondExtent &(BezierDiamonds::*extent)() const)
 {
-    const QString sum
-        = coordinate == u'a' ? QStringLiteral("a = x + y + ½") : QStringLiteral("b = y − x + ½");
+    const QString sum = coordinate == u'a' ? u"a = x + y + ½"_s : u"b = y − x + ½"_s;
     const auto append = [&](const char *end, const QString &which,
                             std::int64_t DiamondExtent::*square, const auto &formula) {
         const QString name = coordinate + QString::fromUtf8(end);
         table.push_back(
             {plainNumber(
                  name, name, {},
-                 QStringLiteral("The %1 square that the piece may meet along %2; squares begin at "
-                                "whole numbers, and every second one is the diamond of a pixel.")
-                     .arg(which, sum),
+                 u"The %1 square that the piece may meet along %2; squares begin at "
+                 "whole numbers, and every second one is the diamond of a pixel."_s.arg(which, sum),
                  {}, Group::Decision),
              [=](const BezierStep &step) {
                  return Quantity::integer((BezierDiamonds(step.piece).*extent)().*square);
              },
              [=](NumberDescription &number, const BezierStep &step) {
                  if (hasCoordinates(step.piece))
-                     number.formula = name + QStringLiteral(" = ") + formula(step.piece.count);
+                     number.formula = name + u" = "_s + formula(step.piece.count);
              }});
     };
     append("_low", "first", &DiamondExtent::lowest, [=](std::size_t count) {
-        return QStringLiteral("⌊%1 + ½⌋").arg(extremeText("min", coordinate, count));
+        return u"⌊%1 + ½⌋"_s.arg(extremeText("min", coordinate, count));
     });
     // A curve reaches its highest control point only at an end.
     append("_high", "last", &DiamondExtent::highest, [=](std::size_t count) {
-        return QStringLiteral("max(⌊%1 + ½⌋, ⌊%2 + ½⌋, ⌈%3 + ½⌉ − 1)")
-            .arg(diagonalText(coordinate, 0), diagonalText(coordinate, count - 1),
-                 extremeText("max", coordinate, count));
+        return u"max(⌊%1 + ½⌋, ⌊%2 + ½⌋, ⌈%3 + ½⌉ − 1)"_s.arg(
+            diagonalText(coordinate, 0), diagonalText(coordinate, count - 1),
+            extremeText("max", coordinate, count));
     });
 }
 

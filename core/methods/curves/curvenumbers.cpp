@@ -19,10 +19,9 @@ void specifyRoot(NumberDescription &description, const CircleExplicitState &step
         description.formula = "h = r_y";
         return;
     }
-    const QString root = step.round.isCircle() ? QStringLiteral("√(r_x² − d²)")
-                                               : QStringLiteral("r_y/r_x·√(r_x² − d²)");
-    description.formula = step.root.isRational() ? QStringLiteral("h = ⌊256·%1⌋/256").arg(root)
-                                                 : QStringLiteral("h = ") + root;
+    const QString root = step.round.isCircle() ? u"√(r_x² − d²)"_s : u"r_y/r_x·√(r_x² − d²)"_s;
+    description.formula
+        = step.root.isRational() ? u"h = ⌊256·%1⌋/256"_s.arg(root) : u"h = "_s + root;
 }
 
 } // namespace
@@ -80,10 +79,9 @@ namespace {
 void specifyChordEnd(NumberDescription &description, const CircleFillState &state, QChar sign)
 {
     const QString root = "√(r_y² − (y − y_c)²)";
-    const QString half = state.round.isCircle() ? root : QStringLiteral("r_x/r_y·") + root;
-    description.formula = description.title + QStringLiteral(" = x_c ") + sign
-        + (state.round.radiusY == 0 ? QStringLiteral(" r_x")
-                                    : QStringLiteral(" ⌊256·%1⌋/256").arg(half));
+    const QString half = state.round.isCircle() ? root : u"r_x/r_y·"_s + root;
+    description.formula = description.title + u" = x_c "_s + sign
+        + (state.round.radiusY == 0 ? u" r_x"_s : u" ⌊256·%1⌋/256"_s.arg(half));
 }
 
 } // namespace

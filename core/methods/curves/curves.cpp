@@ -96,7 +96,7 @@ Method circleExplicitMethod()
     method.summary = QT_TRANSLATE_NOOP(
         "core",
         "Computes y = ±√(r² − x²) for each column; there are gaps where the curve is steep.");
-    method.remarks += QStringLiteral("gaps where the curve is steep");
+    method.remarks += u"gaps where the curve is steep"_s;
     method.arithmetics = {Arithmetic::Exact, Arithmetic::Float32, Arithmetic::Float64};
     return method;
 }
@@ -135,7 +135,7 @@ Method circleMidpointMethod()
                             "Steps through an octant by the sign of F at midpoints, a whole number "
                             "of quarters, and mirrors each pixel into the other seven; of unequal "
                             "radii through two arcs of a quarter, each into three.");
-    method.remarks += QStringLiteral("whole-pixel centre and radii");
+    method.remarks += u"whole-pixel centre and radii"_s;
     method.roundsPoints = true;
     method.variants = {Variant::StayAtZero};
     return method;

@@ -19,8 +19,8 @@ Quantity decisionIn(const MidpointStep &step, Int128 number)
 QString ofArc(QString formula, const MidpointStep &step)
 {
     const bool isFlat = step.arc == 0;
-    return formula.replace(u'%', isFlat ? QStringLiteral("r_x") : QStringLiteral("r_y"))
-        .replace(u'#', isFlat ? QStringLiteral("r_y") : QStringLiteral("r_x"));
+    return formula.replace(u'%', isFlat ? u"r_x"_s : u"r_y"_s)
+        .replace(u'#', isFlat ? u"r_y"_s : u"r_x"_s);
 }
 
 /// Of a step whose predecessor is not shown, from its own place.
@@ -28,12 +28,12 @@ void specifyMidpoint(NumberDescription &description, const MidpointStep &step)
 {
     if (!step.isEntry || !step.hasDecision)
         return;
-    const QString row = step.down == 0 ? QStringLiteral("(y_k − ½)²")
-        : step.down == 1               ? QStringLiteral("(y_k + ½)²")
-                                       : QStringLiteral("(y_k + %1 + ½)²").arg(step.down - 1);
+    const QString row = step.down == 0 ? u"(y_k − ½)²"_s
+        : step.down == 1               ? u"(y_k + ½)²"_s
+                                       : u"(y_k + %1 + ½)²"_s.arg(step.down - 1);
     description.formula = step.isScaled()
-        ? QStringLiteral("p_k = x_k² + ") + row + QStringLiteral(" − r_x²")
-        : ofArc(QStringLiteral("p_k = #²·x_k² + %²·") + row + QStringLiteral(" − %²·#²"), step);
+        ? u"p_k = x_k² + "_s + row + u" − r_x²"_s
+        : ofArc(u"p_k = #²·x_k² + %²·"_s + row + u" − %²·#²"_s, step);
 }
 
 void specifyNextMidpoint(NumberDescription &description, const MidpointStep &step)
@@ -52,17 +52,14 @@ void specifyNextMidpoint(NumberDescription &description, const MidpointStep &ste
 /// several.
 void specifyMidpointIncrement(NumberDescription &description, const MidpointStep &step)
 {
-    const QString along
-        = step.isScaled() ? QStringLiteral("2·x_k + 1") : QStringLiteral("#²·(2·x_k + 1)");
-    const QString scale = step.isScaled() ? QString() : QStringLiteral("%²·");
+    const QString along = step.isScaled() ? u"2·x_k + 1"_s : u"#²·(2·x_k + 1)"_s;
+    const QString scale = step.isScaled() ? QString() : u"%²·"_s;
     QString across = step.down == 0 ? QString()
-        : step.down == 1
-        ? QStringLiteral(" − 2·") + scale + QStringLiteral("y_k")
-        : QStringLiteral(" − ") + scale + QStringLiteral("(y_k′·(y_k′ − 1) − y_k·(y_k − 1))");
+        : step.down == 1            ? u" − 2·"_s + scale + u"y_k"_s
+                         : u" − "_s + scale + u"(y_k′·(y_k′ − 1) − y_k·(y_k − 1))"_s;
     if (step.isEntry && step.down > 1)
-        across = QStringLiteral(" − ") + scale
-            + QStringLiteral("%1·(2·y_k + %2)").arg(step.down).arg(step.down - 1);
-    description.formula = ofArc(QStringLiteral("Δp = ") + along + across, step);
+        across = u" − "_s + scale + u"%1·(2·y_k + %2)"_s.arg(step.down).arg(step.down - 1);
+    description.formula = ofArc(u"Δp = "_s + along + across, step);
 }
 
 } // namespace
@@ -71,9 +68,8 @@ const NumberTable<MidpointSetUp> &midpointSetUpNumbers()
 {
     static const auto numbers = [] {
         const auto toolTip = [](const QString &function) {
-            return QStringLiteral(
-                       "F(x, y) = %1 at the first midpoint, (1, r_y − ½) from the centre.")
-                .arg(function);
+            return u"F(x, y) = %1 at the first midpoint, (1, r_y − ½) from the centre."_s.arg(
+                function);
         };
         const QString ofEqualRadii = "x² + y² − r_x²";
         const QString ofOthers = "r_y²·x² + r_x²·y² − r_x²·r_y²";
@@ -85,21 +81,20 @@ const NumberTable<MidpointSetUp> &midpointSetUpNumbers()
                                   setUp.radiusX * unitsPerPixel,
                                   setUp.radiusY * unitsPerPixel});
                  }});
-        table.push_back({plainNumber("p_0", "p₀", {},
-                                     toolTip(ofOthers + QStringLiteral(", of equal radii ")
-                                             + ofEqualRadii + u','),
-                                     "p₀ = r_y² − r_x²·r_y + r_x²/4", Group::Decision),
-                         [](const MidpointSetUp &setUp) {
-                             const MidpointStep first = midpointStepAt(setUp.arc(0), 0, 0);
-                             return isOnePixel(first) ? Quantity()
-                                                      : decisionIn(first, first.nextDecision);
-                         },
-                         [=](NumberDescription &description, const MidpointSetUp &setUp) {
-                             const bool hasEqualRadii = setUp.isCircle() && setUp.radiusX != 0;
-                             description.toolTip = toolTip(hasEqualRadii ? ofEqualRadii : ofOthers);
-                             if (hasEqualRadii)
-                                 description.formula = "p₀ = 5/4 − r_x";
-                         }});
+        table.push_back(
+            {plainNumber("p_0", "p₀", {},
+                         toolTip(ofOthers + u", of equal radii "_s + ofEqualRadii + u','),
+                         "p₀ = r_y² − r_x²·r_y + r_x²/4", Group::Decision),
+             [](const MidpointSetUp &setUp) {
+                 const MidpointStep first = midpointStepAt(setUp.arc(0), 0, 0);
+                 return isOnePixel(first) ? Quantity() : decisionIn(first, first.nextDecision);
+             },
+             [=](NumberDescription &description, const MidpointSetUp &setUp) {
+                 const bool hasEqualRadii = setUp.isCircle() && setUp.radiusX != 0;
+                 description.toolTip = toolTip(hasEqualRadii ? ofEqualRadii : ofOthers);
+                 if (hasEqualRadii)
+                     description.formula = "p₀ = 5/4 − r_x";
+             }});
         return table;
     }();
     return numbers;

@@ -41,8 +41,7 @@ bool isRoundStroke(const StrokeSetUp &setUp)
 void appendStrokeEnds(NumberTable<StrokeSetUp> &table)
 {
     const auto append = [&](QChar letter, std::size_t end, Lattice LatticePoint::*axis) {
-        const QString toolTip = end == 0 ? QStringLiteral("of a line's first end.")
-                                         : QStringLiteral("of its other end.");
+        const QString toolTip = end == 0 ? u"of a line's first end."_s : u"of its other end."_s;
         table.push_back(
             endNumber<StrokeSetUp>(letter, int(end), toolTip, [=](const StrokeSetUp &setUp) {
                 return isLineStroke(setUp) ? pixels(setUp.shape.vertices[end].position.*axis)
@@ -58,17 +57,15 @@ void appendStrokeEnds(NumberTable<StrokeSetUp> &table)
 void appendHalfWidth(NumberTable<StrokeSetUp> &table)
 {
     const auto append = [&](QChar letter, const QString &whole, StrokeUnit StrokePoint::*axis) {
-        table.push_back(
-            {strokeNumber(QStringLiteral("h_") + letter, "px",
-                          QStringLiteral("Half of a line's width, ½ px square to it: %1 of "
-                                         "%2/(2·√(Δx² + Δy²)), to the nearest 2⁻¹⁶ px.")
-                              .arg(letter)
-                              .arg(whole)),
-             [axis](const StrokeSetUp &setUp) {
-                 return isLineStroke(setUp)
-                     ? Quantity::rational(setUp.half.*axis, strokeUnitsPerPixel)
-                     : Quantity();
-             }});
+        table.push_back({strokeNumber(u"h_"_s + letter, "px",
+                                      u"Half of a line's width, ½ px square to it: %1 of "
+                                      "%2/(2·√(Δx² + Δy²)), to the nearest 2⁻¹⁶ px."_s.arg(letter)
+                                          .arg(whole)),
+                         [axis](const StrokeSetUp &setUp) {
+                             return isLineStroke(setUp)
+                                 ? Quantity::rational(setUp.half.*axis, strokeUnitsPerPixel)
+                                 : Quantity();
+                         }});
     };
     append(u'x', "−Δy", &StrokePoint::x);
     append(u'y', "Δx", &StrokePoint::y);
@@ -78,11 +75,10 @@ void appendStrokeColours(NumberTable<StrokeSetUp> &table)
 {
     for (const std::size_t end : {0, 1})
         appendChannels(table,
-                       plainNumber(QStringLiteral("%_") + QString::number(end),
+                       plainNumber(u"%_"_s + QString::number(end),
                                    u'%' + QString(QChar(char16_t(u'₀' + end))), "levels",
-                                   end == 0
-                                       ? QStringLiteral("% of a line's first end, or of the curve.")
-                                       : QStringLiteral("% of a line's other end.")),
+                                   end == 0 ? u"% of a line's first end, or of the curve."_s
+                                            : u"% of a line's other end."_s),
                        [end](const StrokeSetUp &setUp, std::size_t channel) {
                            const std::vector<Vertex> &vertices = setUp.shape.vertices;
                            return end < vertices.size() && (end == 0 || isLineStroke(setUp))
@@ -94,19 +90,17 @@ void appendStrokeColours(NumberTable<StrokeSetUp> &table)
 /// What decides whether a pixel's one sample lies in the rectangle of a line.
 void appendDistances(NumberTable<StrokeSampleState> &table)
 {
-    const auto whole = QStringLiteral("((x₁ − x₀)·h_y − (y₁ − y₀)·h_x)");
+    const auto whole = u"((x₁ − x₀)·h_y − (y₁ − y₀)·h_x)"_s;
     table.push_back(
         {strokeFraction("d_across", "half widths",
                         "How far the sample lies from a line, which covers it from −1 to 1.",
-                        QStringLiteral("d_across = ((x₁ − x₀)·(y − y₀) − (y₁ − y₀)·(x − x₀))/")
-                            + whole,
+                        u"d_across = ((x₁ − x₀)·(y − y₀) − (y₁ − y₀)·(x − x₀))/"_s + whole,
                         Group::Decision),
          [](const StrokeSampleState &state) { return state.across(); }});
     table.push_back(
         {strokeFraction("d_along", "lengths",
                         "How far along a line the sample lies; from 0 to 1 the line covers it.",
-                        QStringLiteral("d_along = ((x − x₀)·h_y − (y − y₀)·h_x)/") + whole,
-                        Group::Decision),
+                        u"d_along = ((x − x₀)·h_y − (y − y₀)·h_x)/"_s + whole, Group::Decision),
          [](const StrokeSampleState &state) { return state.along(); }});
 }
 
@@ -115,41 +109,39 @@ void appendStrokeBytes(NumberTable<StrokeSampleState> &table, QChar letter, cons
                        const QString &formula,
                        const std::function<int(const StrokeSampleState &, std::size_t)> &read)
 {
-    appendChannels(table,
-                   plainNumber(letter + QStringLiteral("_%"), letter + QStringLiteral("_%"), {},
-                               toolTip, formula, Group::FirstColour),
-                   [read](const StrokeSampleState &state, std::size_t channel) {
-                       return state.isRefused ? Quantity()
-                                              : Quantity::integer(read(state, channel));
-                   });
+    appendChannels(
+        table,
+        plainNumber(letter + u"_%"_s, letter + u"_%"_s, {}, toolTip, formula, Group::FirstColour),
+        [read](const StrokeSampleState &state, std::size_t channel) {
+            return state.isRefused ? Quantity() : Quantity::integer(read(state, channel));
+        });
 }
 
 void appendStrokeSource(NumberTable<StrokeSampleState> &table)
 {
-    table.push_back({strokeFraction("t", {},
-                                    "How far along a line the pixel's sample lies, from 0 at its "
-                                    "first end to 1 at the other.",
-                                    {}, Group::FirstColour),
-                     [](const StrokeSampleState &state) { return state.place(); },
-                     [](NumberDescription &number, const StrokeSampleState &state) {
-                         const StrokeColour::Place &place = state.sample.place;
-                         if (!state.isOnLine())
-                             return;
-                         const auto along = QStringLiteral(
-                             "((x − x₀)·(x₁ − x₀) + (y − y₀)·(y₁ − y₀))/((x₁ − x₀)² + (y₁ − y₀)²)");
-                         number.formula = QStringLiteral("t = ")
-                             + (place.run > 0 && place.run < place.length
-                                    ? along
-                                    : QStringLiteral("min(1, max(0, %1))").arg(along));
-                     }});
+    table.push_back(
+        {strokeFraction("t", {},
+                        "How far along a line the pixel's sample lies, from 0 at its "
+                        "first end to 1 at the other.",
+                        {}, Group::FirstColour),
+         [](const StrokeSampleState &state) { return state.place(); },
+         [](NumberDescription &number, const StrokeSampleState &state) {
+             const StrokeColour::Place &place = state.sample.place;
+             if (!state.isOnLine())
+                 return;
+             const auto along
+                 = u"((x − x₀)·(x₁ − x₀) + (y − y₀)·(y₁ − y₀))/((x₁ − x₀)² + (y₁ − y₀)²)"_s;
+             number.formula = u"t = "_s
+                 + (place.run > 0 && place.run < place.length ? along
+                                                              : u"min(1, max(0, %1))"_s.arg(along));
+         }});
     appendChannels(
         table,
         comparedNumber("%", "%", "levels", "% of the stroke at the sample.", {},
                        Group::FirstColour),
         [](const StrokeSampleState &state, std::size_t channel) { return state.level(channel); },
         [](NumberDescription &number, const StrokeSampleState &state) {
-            number.formula = state.isOnLine() ? QStringLiteral("% = %₀ + t·(%₁ − %₀)")
-                                              : QStringLiteral("% = %₀");
+            number.formula = state.isOnLine() ? u"% = %₀ + t·(%₁ − %₀)"_s : u"% = %₀"_s;
         });
     appendChannels(
         table, plainNumber("s_%", "s_%", {}, "% that is painted.", {}, Group::FirstColour),
@@ -157,9 +149,8 @@ void appendStrokeSource(NumberTable<StrokeSampleState> &table)
             return state.isRefused ? Quantity() : Quantity::integer(state.sample.level[channel]);
         },
         [](NumberDescription &number, const StrokeSampleState &state) {
-            number.formula = state.rounding == ByteRounding::Nearest
-                ? QStringLiteral("s_% = ⌊% + ½⌋")
-                : QStringLiteral("s_% = ⌊%⌋");
+            number.formula
+                = state.rounding == ByteRounding::Nearest ? u"s_% = ⌊% + ½⌋"_s : u"s_% = ⌊%⌋"_s;
         });
 }
 
@@ -167,10 +158,9 @@ void appendStrokeSource(NumberTable<StrokeSampleState> &table)
 QString writtenFormula(Antialiasing antialiasing)
 {
     if (antialiasing == Antialiasing::Area)
-        return QStringLiteral("r_% = ⌊(s_%·a + d_%·(255 − a))/255 + ½⌋");
+        return u"r_% = ⌊(s_%·a + d_%·(255 − a))/255 + ½⌋"_s;
     const std::size_t samples = samplePattern(antialiasing).size();
-    return samples == 0 ? QStringLiteral("r_% = s_%")
-                        : QStringLiteral("r_% = ⌊sum_%/%1 + ½⌋").arg(samples);
+    return samples == 0 ? u"r_% = s_%"_s : u"r_% = ⌊sum_%/%1 + ½⌋"_s.arg(samples);
 }
 
 } // namespace
@@ -246,13 +236,12 @@ NumberTable<StrokeSampleState> strokeSampleNumbers(Antialiasing antialiasing)
                       [](const StrokeSampleState &state, std::size_t channel) {
                           return unpacked(state.sample.before).channels[channel];
                       });
-    appendStrokeBytes(table, u'r',
-                      samples == 0 ? QStringLiteral("% of the pixel now.")
-                                   : QStringLiteral("% of the pixel now: the mean of its samples."),
-                      writtenFormula(antialiasing),
-                      [](const StrokeSampleState &state, std::size_t channel) {
-                          return unpacked(state.sample.after).channels[channel];
-                      });
+    appendStrokeBytes(
+        table, u'r',
+        samples == 0 ? u"% of the pixel now."_s : u"% of the pixel now: the mean of its samples."_s,
+        writtenFormula(antialiasing), [](const StrokeSampleState &state, std::size_t channel) {
+            return unpacked(state.sample.after).channels[channel];
+        });
     return table;
 }
 

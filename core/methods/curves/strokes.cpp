@@ -72,7 +72,7 @@ Method strokeCoverageMethod()
         "4 or 16 samples, as the scene's antialiasing asks. Where it asks for none, one sample "
         "decides a pixel: stairs.");
     method.effects = {Effect::SmoothColour, Effect::Clipping, Effect::Antialiasing};
-    method.remarks += QStringLiteral("butt ends");
+    method.remarks += u"butt ends"_s;
     method.kinds = {PrimitiveKind::Line, PrimitiveKind::Circle, PrimitiveKind::Ellipse,
                     PrimitiveKind::Bezier};
     method.fills = {ShapeFill::Outline};

@@ -86,12 +86,11 @@ QString placeText(const StrokeSampleState &state, const LatticePoint &offset)
     if (across.isNone())
         return {};
     if (along.toDouble() < 0 || along.toDouble() > 1)
-        return QStringLiteral(", which lies beyond its end: d_along = %1").arg(term(along));
-    const QString lies
-        = QStringLiteral(", which lies %1 half widths from the line").arg(term(across));
+        return u", which lies beyond its end: d_along = %1"_s.arg(term(along));
+    const QString lies = u", which lies %1 half widths from the line"_s.arg(term(across));
     return isOnBorder(across.toDouble(), along.toDouble()) ? lies
-            + QStringLiteral(" on the border of its rectangle, where it counts as displaced to the "
-                             "right and, by less, up")
+            + u" on the border of its rectangle, where it counts as displaced to the "
+              "right and, by less, up"_s
                                                            : lies;
 }
 
@@ -108,18 +107,16 @@ QString uncoveredText(const StrokeSampleState &state)
             continue;
         const Quantity along = state.along(pattern[i]);
         const bool isBeyondEnd = along.toDouble() < 0 || along.toDouble() > 1;
-        texts += QStringLiteral("%1 at %2")
-                     .arg(i + 1)
-                     .arg(isBeyondEnd
-                              ? QStringLiteral("d_along = ") + term(along)
-                              : QStringLiteral("d_across = ") + term(state.across(pattern[i])));
+        texts += u"%1 at %2"_s.arg(i + 1).arg(isBeyondEnd ? u"d_along = "_s + term(along)
+                                                          : u"d_across = "_s
+                                                      + term(state.across(pattern[i])));
     }
     return texts.isEmpty()
         ? QString()
-        : QStringLiteral(" The line covers d_across from −1 to 1 half widths and d_along from 0 to "
-                         "1 of its length, a sample on that border as if displaced towards "
-                         "larger x and, by less, larger y; outside lie the samples ")
-            + texts.join(QStringLiteral(", ")) + u'.';
+        : u" The line covers d_across from −1 to 1 half widths and d_along from 0 to "
+          "1 of its length, a sample on that border as if displaced towards "
+          "larger x and, by less, larger y; outside lie the samples "_s
+            + texts.join(u", "_s) + u'.';
 }
 
 } // namespace
@@ -131,11 +128,10 @@ void tellStroke(StepWords &words, const StrokeSetUp &setUp)
         return;
     }
     words.sentence = setUp.shape.kind == PrimitiveKind::Line
-        ? QStringLiteral("The line is the rectangle ½ px to either side of it, which ends where "
-                         "the line ends; its corners are the ends and, to 2⁻¹⁶ px, the half width.")
-        : QStringLiteral("The curve is a strip of %1 quadrilaterals ½ px to either side of its "
-                         "points, of which %2 come near the frame.")
-              .arg(setUp.pieces)
+        ? u"The line is the rectangle ½ px to either side of it, which ends where "
+          "the line ends; its corners are the ends and, to 2⁻¹⁶ px, the half width."_s
+        : u"The curve is a strip of %1 quadrilaterals ½ px to either side of its "
+          "points, of which %2 come near the frame."_s.arg(setUp.pieces)
               .arg(setUp.nearFrame);
 }
 
@@ -143,8 +139,8 @@ void tellStroke(StepWords &words, const StrokeColumn &column)
 {
     const std::int64_t last = column.endRow - 1;
     words.sentence = last == column.firstRow
-        ? QStringLiteral("In this column the stroke meets the square of the row %1.").arg(last)
-        : QStringLiteral("In this column the stroke meets the squares of rows from %1 to %2.")
+        ? u"In this column the stroke meets the square of the row %1."_s.arg(last)
+        : u"In this column the stroke meets the squares of rows from %1 to %2."_s
               .arg(column.firstRow)
               .arg(last);
 }
@@ -154,31 +150,28 @@ void tellStroke(StepWords &words, const StrokeSampleState &state)
     const StrokeSample &sample = state.sample;
     if (state.isByArea()) {
         words.sentence
-            = QStringLiteral("The stroke covers %1 of the pixel's square, which is its opacity: %2 "
-                             "of 255 parts are the stroke's, the others what stood there.")
-                  .arg(term(sample.area))
+            = u"The stroke covers %1 of the pixel's square, which is its opacity: %2 "
+              "of 255 parts are the stroke's, the others what stood there."_s.arg(term(sample.area))
                   .arg(sample.alpha);
         return;
     }
     if (sample.samples == 1) {
         const QString lies = placeText(state, {});
         words.sentence = state.isRefused
-            ? QStringLiteral("Refused: the stroke does not cover the pixel's sample") + lies + u'.'
-            : QStringLiteral("The stroke covers the pixel's sample") + lies
-                + QStringLiteral(": it is painted.");
+            ? u"Refused: the stroke does not cover the pixel's sample"_s + lies + u'.'
+            : u"The stroke covers the pixel's sample"_s + lies + u": it is painted."_s;
         return;
     }
     if (state.isRefused) {
         words.sentence
-            = QStringLiteral("Refused: the stroke covers none of the pixel's %1 samples.")
-                  .arg(sample.samples)
+            = u"Refused: the stroke covers none of the pixel's %1 samples."_s.arg(sample.samples)
             + uncoveredText(state);
         return;
     }
-    words.sentence = QStringLiteral("Of the pixel's %2 samples the stroke covers %1; the pixel is "
-                                    "the mean of what they hold now.")
-                         .arg(sampleNumbersText(sample.covered, sample.samples))
-                         .arg(sample.samples)
+    words.sentence
+        = u"Of the pixel's %2 samples the stroke covers %1; the pixel is "
+          "the mean of what they hold now."_s.arg(sampleNumbersText(sample.covered, sample.samples))
+              .arg(sample.samples)
         + uncoveredText(state);
 }
 

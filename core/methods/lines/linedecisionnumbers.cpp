@@ -95,9 +95,8 @@ void specifyNextDecision(NumberDescription &number, const DecisionState &step)
         return;
     }
     // Between whole pixels, what p stands for: Δx·(d_lower − d_upper) one step on.
-    number.formula = step.falls()
-        ? QStringLiteral("p_k₊₁ = Δx·(2·y_k − 2·(y₀ − (x_k + 2 − x₀)·Δy/Δx) − 1)")
-        : QStringLiteral("p_k₊₁ = Δx·(2·(y₀ + (x_k + 2 − x₀)·Δy/Δx) − 2·y_k − 1)");
+    number.formula = step.falls() ? u"p_k₊₁ = Δx·(2·y_k − 2·(y₀ − (x_k + 2 − x₀)·Δy/Δx) − 1)"_s
+                                  : u"p_k₊₁ = Δx·(2·(y₀ + (x_k + 2 − x₀)·Δy/Δx) − 2·y_k − 1)"_s;
 }
 
 } // namespace
@@ -152,8 +151,7 @@ const NumberTable<DecisionState> &decisionNumbers()
              [](NumberDescription &description, const DecisionState &step) {
                  if (!step.isLedByDecision())
                      return;
-                 description.formula = step.movesAcross ? QStringLiteral("Δp = 2Δy − 2Δx")
-                                                        : QStringLiteral("Δp = 2Δy");
+                 description.formula = step.movesAcross ? u"Δp = 2Δy − 2Δx"_s : u"Δp = 2Δy"_s;
              }},
             {plainNumber("p_next", "p_k₊₁", {}, "The decision parameter for the next pixel.",
                          "p_k₊₁ = p_k + Δp", Group::Decision),

@@ -12,7 +12,7 @@ namespace pixelplumb {
 template <class State, class Read>
 NumberRow<State> endNumber(QChar letter, int end, const QString &toolTip, const Read &read)
 {
-    return {plainNumber(QStringLiteral("%1_%2").arg(letter).arg(end),
+    return {plainNumber(u"%1_%2"_s.arg(letter).arg(end),
                         QString(letter) + QChar(char16_t(u'₀' + end)), "px",
                         letter + u' ' + toolTip),
             read};
@@ -23,14 +23,13 @@ template <class State, class SetUp>
 void appendEndColours(NumberTable<State> &table, int end, Vertex SetUp::*vertex)
 {
     const QString digit = QString::number(end);
-    appendChannels(table,
-                   plainNumber(QStringLiteral("%_") + digit,
-                               u'%' + QString(QChar(char16_t(u'₀' + end))), "levels",
-                               end == 0 ? QStringLiteral("% of the end that is stored first.")
-                                        : QStringLiteral("% of the other end.")),
-                   [vertex](const State &setUp, std::size_t channel) {
-                       return Quantity::integer((setUp.*vertex).colour.channels[channel]);
-                   });
+    appendChannels(
+        table,
+        plainNumber(u"%_"_s + digit, u'%' + QString(QChar(char16_t(u'₀' + end))), "levels",
+                    end == 0 ? u"% of the end that is stored first."_s : u"% of the other end."_s),
+        [vertex](const State &setUp, std::size_t channel) {
+            return Quantity::integer((setUp.*vertex).colour.channels[channel]);
+        });
 }
 
 } // namespace pixelplumb

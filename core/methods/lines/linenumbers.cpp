@@ -27,9 +27,9 @@ void specifyDivisor(NumberDescription &number, const DdaSetUpState &setUp)
 void specifyStart(NumberDescription &number, const DdaState &step)
 {
     if (step.isPoint)
-        number.startFormula = number.startFormula.section(QStringLiteral(" + "), 0, 0);
+        number.startFormula = number.startFormula.section(u" + "_s, 0, 0);
     else if (!step.hasPreStep)
-        number.startFormula.replace(QStringLiteral("(u − u₀)"), QStringLiteral("(u − ⌈u₀⌉)"));
+        number.startFormula.replace(u"(u − u₀)"_s, u"(u − ⌈u₀⌉)"_s);
 }
 
 } // namespace
@@ -38,7 +38,7 @@ const NumberTable<SlopeInterceptSetUpState> &slopeInterceptSetUpNumbers()
 {
     using State = SlopeInterceptSetUpState;
     static const auto numbers = [] {
-        const QString left = QStringLiteral("of the left end, which is stored first.");
+        const QString left = u"of the left end, which is stored first."_s;
         const QString right = "of the right end.";
         NumberTable<State> table = {
             endNumber<State>(u'x', 0, left,
@@ -90,8 +90,8 @@ const NumberTable<DdaSetUpState> &ddaSetUpNumbers()
 {
     using State = DdaSetUpState;
     static const auto numbers = [] {
-        const QString first = QStringLiteral("of the end that is stored first, the left one (of a "
-                                             "steep line the one of smaller y): ");
+        const QString first = u"of the end that is stored first, the left one (of a "
+                              "steep line the one of smaller y): "_s;
         const QString second = "of the other end: ";
         const QString along = "x; y where the line is steep.";
         const QString across = "y; x where the line is steep.";

@@ -15,17 +15,15 @@ void appendCoordinate(NumberTable<ParametricLineState> &table, QChar point, QCha
                       Quantity ParametricLineState::*value,
                       std::int64_t (LinePlace::*pixel)() const)
 {
-    table.push_back(
-        {comparedNumber(point, point, "px", QStringLiteral("The point's %1.").arg(axis),
-                        QStringLiteral("%1 = %2₀ + k·i·((%2₁ − %2₀)/N)").arg(point, axis),
-                        NumberGroup::Decision),
-         [value](const ParametricLineState &step) { return step.*value; }});
-    table.push_back(
-        {comparedNumber(axis, axis, "px", QStringLiteral("The nearest pixel's %1.").arg(axis),
-                        QStringLiteral("%1 = ⌊%2 + ½⌋").arg(axis, point), NumberGroup::Span),
-         [pixel](const ParametricLineState &step) {
-             return Quantity::integer((step.place.*pixel)());
-         }});
+    table.push_back({comparedNumber(point, point, "px", u"The point's %1."_s.arg(axis),
+                                    u"%1 = %2₀ + k·i·((%2₁ − %2₀)/N)"_s.arg(point, axis),
+                                    NumberGroup::Decision),
+                     [value](const ParametricLineState &step) { return step.*value; }});
+    table.push_back({comparedNumber(axis, axis, "px", u"The nearest pixel's %1."_s.arg(axis),
+                                    u"%1 = ⌊%2 + ½⌋"_s.arg(axis, point), NumberGroup::Span),
+                     [pixel](const ParametricLineState &step) {
+                         return Quantity::integer((step.place.*pixel)());
+                     }});
 }
 
 } // namespace
@@ -34,7 +32,7 @@ const NumberTable<ParametricLineSetUpState> &parametricLineSetUpNumbers()
 {
     using State = ParametricLineSetUpState;
     static const auto numbers = [] {
-        const QString first = QStringLiteral("of P₀, the end that is given first.");
+        const QString first = u"of P₀, the end that is given first."_s;
         const QString second = "of P₁.";
         NumberTable<State> table = {
             endNumber<State>(u'x', 0, first,

@@ -25,7 +25,7 @@ Method lineSlopeInterceptMethod()
     method.summary = QT_TRANSLATE_NOOP("core",
                                        "Computes y = m·x + b for each column and rounds it by "
                                        "(int)(y + ½): steep lines have gaps, vertical ones no m.");
-    method.remarks += QStringLiteral("gaps where |m| > 1");
+    method.remarks += u"gaps where |m| > 1"_s;
     method.arithmetics = {Arithmetic::Exact, Arithmetic::Float32, Arithmetic::Float64};
     return method;
 }
@@ -140,7 +140,7 @@ Method lineBresenhamMethod()
         = QT_TRANSLATE_NOOP("core",
                             "Steps from the end of smaller x (of a steep line, of smaller y) by "
                             "the sign of an integer; p_k < 0 stays, so that a tie steps across.");
-    method.remarks += QStringLiteral("whole-pixel end points");
+    method.remarks += u"whole-pixel end points"_s;
     method.roundsPoints = true;
     method.variants = {Variant::StayAtZero, Variant::OneStepShort};
     return method;

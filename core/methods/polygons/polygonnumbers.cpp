@@ -20,7 +20,7 @@ struct ShownCrossing {
 QString subscriptAt(PolygonForm form, std::size_t place)
 {
     if (isInTriangles(form))
-        return place == 0 ? QStringLiteral("_L") : QStringLiteral("_R");
+        return place == 0 ? u"_L"_s : u"_R"_s;
     return QChar(u'₀' + char16_t(place));
 }
 
@@ -35,10 +35,9 @@ void appendCrossing(NumberTable<PolygonRowState> &table, PolygonForm form, std::
         {comparedNumber("x_#", "x%", "px", "Where edge e% meets the row; crossings ascend in x.",
                         "x% = b% + t%·m%", Group::Span),
          [](const Shown &shown) { return shown.crossing.x; }},
-        {plainNumber(
-             "edge_#", "e%", {},
-             QStringLiteral("The edge that crosses at x%: its place in %1, from 0.").arg(edges), {},
-             Group::Span),
+        {plainNumber("edge_#", "e%", {},
+                     u"The edge that crosses at x%: its place in %1, from 0."_s.arg(edges), {},
+                     Group::Span),
          [](const Shown &shown) { return Quantity::integer(Int128(shown.crossing.edge)); }},
         {comparedNumber(
              "base_#", "b%", "px",
@@ -48,9 +47,9 @@ void appendCrossing(NumberTable<PolygonRowState> &table, PolygonForm form, std::
          [form](NumberDescription &number, const Shown &shown) {
              const CrossedEdge &edge = shown.edge;
              if (edge.begins)
-                 number.formula = QStringLiteral("b% = ") + term(pixels(edge.low.x));
+                 number.formula = u"b% = "_s + term(pixels(edge.low.x));
              else if (edge.before)
-                 number.formula = QStringLiteral("b% = x%1′").arg(subscriptAt(form, *edge.before));
+                 number.formula = u"b% = x%1′"_s.arg(subscriptAt(form, *edge.before));
          }},
         {comparedNumber(
              "rise_#", "t%", "rows",
@@ -59,23 +58,22 @@ void appendCrossing(NumberTable<PolygonRowState> &table, PolygonForm form, std::
              {}, Group::Decision),
          [](const Shown &shown) { return shown.crossing.rise; },
          [](NumberDescription &number, const Shown &shown) {
-             number.formula = shown.edge.begins
-                 ? QStringLiteral("t% = y − ") + operand(pixels(shown.edge.low.y))
-                 : QStringLiteral("t% = 1");
+             number.formula = shown.edge.begins ? u"t% = y − "_s + operand(pixels(shown.edge.low.y))
+                                                : u"t% = 1"_s;
          }},
         {comparedNumber("slope_#", "m%", "px/row", "What x of edge e% gains from row to row.", {},
                         Group::Decision),
          [](const Shown &shown) { return shown.crossing.slope; },
          [](NumberDescription &number, const Shown &shown) {
              const CrossedEdge &edge = shown.edge;
-             number.formula = QStringLiteral("m% = ") + differenceText(edge.high.x, edge.low.x)
-                 + u'/' + differenceText(edge.high.y, edge.low.y);
+             number.formula = u"m% = "_s + differenceText(edge.high.x, edge.low.x) + u'/'
+                 + differenceText(edge.high.y, edge.low.y);
          }},
     };
     const auto named = [subscript = subscriptAt(form, place)](NumberDescription &number) {
-        number.title.replace(QStringLiteral("%"), subscript);
-        number.formula.replace(QStringLiteral("%"), subscript);
-        number.toolTip.replace(QStringLiteral("%"), subscript);
+        number.title.replace(u"%"_s, subscript);
+        number.formula.replace(u"%"_s, subscript);
+        number.toolTip.replace(u"%"_s, subscript);
     };
     const auto shownIn = [place](const PolygonRowState &state) {
         return Shown{state.crossings[place], state.edges[place]};
@@ -179,12 +177,10 @@ NumberTable<PolygonRowState> polygonRowNumbers(PolygonForm form)
         return numbers;
     }
     numbers.push_back(
-        {plainNumber(
-             "active", "n", {},
-             QStringLiteral(
-                 "Active edges: those that the row crosses. The first %1 stand in the table.")
-                 .arg(shownCrossings(form)),
-             {}, Group::Span),
+        {plainNumber("active", "n", {},
+                     u"Active edges: those that the row crosses. The first %1 stand in the table."_s
+                         .arg(shownCrossings(form)),
+                     {}, Group::Span),
          [](const PolygonRowState &row) { return Quantity::integer(Int128(row.crossingCount)); }});
     for (std::size_t i = 0; i < shownCrossings(form); ++i)
         appendCrossing(numbers, form, i, QString::number(i), "the contours");

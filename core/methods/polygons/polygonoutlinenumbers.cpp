@@ -51,9 +51,8 @@ void tellLine(StepWords &words, const PolygonOutlineState &state)
     StepWords line;
     if (!state.isLedByDecision())
         tellLine(line, state.line);
-    words.sentence
-        = QStringLiteral("Edge %1. %2 %3").arg(state.edge).arg(line.sentence, words.sentence);
-    words.sentence.replace(QStringLiteral("  "), QStringLiteral(" "));
+    words.sentence = u"Edge %1. %2 %3"_s.arg(state.edge).arg(line.sentence, words.sentence);
+    words.sentence.replace(u"  "_s, u" "_s);
 }
 
 } // namespace pixelplumb

@@ -36,9 +36,8 @@ std::vector<RuledLine> yDown(const QString &text)
 Pseudocode crossingLines(int depth)
 {
     const auto active = [](const QString &condition) {
-        return QStringLiteral(
-                   "for each edge k from (x₀, y₀) to (x₁, y₁) with %1: — the active edges")
-            .arg(condition);
+        return u"for each edge k from (x₀, y₀) to (x₁, y₁) with %1: — the active edges"_s.arg(
+            condition);
     };
     return {
         {depth, "for each row y of the frame from y_first to y_last:", {Begin, Span}},
@@ -59,10 +58,8 @@ Pseudocode parityPseudocode()
 {
     const std::vector<Moment> samples = {First, Next, Refused};
     const auto counted = [](QChar sign) {
-        return QStringLiteral(
-                   "for each edge k of them with x_k ≤ x: c, w ← c + 1, w + 1 if y₁ %1 y₀, else c "
-                   "+ 1, w − 1 — w, the winding number, is 1 more where it runs downward")
-            .arg(sign);
+        return u"for each edge k of them with x_k ≤ x: c, w ← c + 1, w + 1 if y₁ %1 y₀, else c "
+               "+ 1, w − 1 — w, the winding number, is 1 more where it runs downward"_s.arg(sign);
     };
     Pseudocode code = {{0, "edges ← those of the contours that are not horizontal", {SetUp}},
                        {0, "if no sample is to be drawn: done", {Rejected}}};

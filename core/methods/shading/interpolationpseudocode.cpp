@@ -17,15 +17,15 @@ QString coefficientsText(InterpolationForm form)
     switch (form) {
     case InterpolationForm::Bilinear:
     case InterpolationForm::BilinearRows:
-        return QStringLiteral("δ ← what each {span} adds to it along L₀₁, L₁₂ and L₀₂");
+        return u"δ ← what each {span} adds to it along L₀₁, L₁₂ and L₀₂"_s;
     case InterpolationForm::Plane:
-        return QStringLiteral("a, b, c ← of the plane through its values at the three vertices — "
-                              "on a segment, along it");
+        return u"a, b, c ← of the plane through its values at the three vertices — "
+               "on a segment, along it"_s;
     case InterpolationForm::Barycentric:
         break;
     }
-    return QStringLiteral("a, b, c ← of each weight α, β, γ: 1 at its own vertex, 0 at the others "
-                          "— on a segment, along it");
+    return u"a, b, c ← of each weight α, β, γ: 1 at its own vertex, 0 at the others "
+           "— on a segment, along it"_s;
 }
 
 /// How each sample gets its values.
@@ -47,12 +47,11 @@ Pseudocode valueLines(InterpolationForm form)
 QString sortingText(InterpolationForm form)
 {
     if (!isBilinear(form))
-        return QStringLiteral("the edges from left to right: one long, two short ones that meet in "
-                              "the middle vertex");
+        return u"the edges from left to right: one long, two short ones that meet in "
+               "the middle vertex"_s;
     return axisOf(form) == SpanAxis::Row
-        ? QStringLiteral(
-            "sort the vertices by y, the largest first, those of equal y by x: P₀, P₁, P₂")
-        : QStringLiteral("sort the vertices by x, those of equal x by y: P₀, P₁, P₂");
+        ? u"sort the vertices by y, the largest first, those of equal y by x: P₀, P₁, P₂"_s
+        : u"sort the vertices by x, those of equal x by y: P₀, P₁, P₂"_s;
 }
 
 Pseudocode columnLines(InterpolationForm form)
@@ -60,17 +59,16 @@ Pseudocode columnLines(InterpolationForm form)
     Pseudocode code = {
         {0, sortingText(form), {SetUp}},
         {0,
-         isBilinear(form) ? QStringLiteral("m ← the slopes of L₀₁, L₁₂ and L₀₂")
-                          : QStringLiteral("m ← the slopes of the three edges"),
+         isBilinear(form) ? u"m ← the slopes of L₀₁, L₁₂ and L₀₂"_s
+                          : u"m ← the slopes of the three edges"_s,
          {SetUp}},
-        {0, QStringLiteral("of each value that is carried: ") + coefficientsText(form), {SetUp}},
+        {0, u"of each value that is carried: "_s + coefficientsText(form), {SetUp}},
         {0, "if no sample is to be drawn: done", {Rejected}},
         {0,
-         isBilinear(form)
-             ? QStringLiteral("for each {span} that the fill rule takes, with L₀₁ up to P₁, with "
-                              "L₁₂ from there, and L₀₂:")
-             : QStringLiteral("for each {span} that the fill rule takes, with the long edge and, "
-                              "up to the middle vertex and from there, a short one:"),
+         isBilinear(form) ? u"for each {span} that the fill rule takes, with L₀₁ up to P₁, with "
+                            "L₁₂ from there, and L₀₂:"_s
+                          : u"for each {span} that the fill rule takes, with the long edge and, "
+                            "up to the middle vertex and from there, a short one:"_s,
          {Begin, Span}},
         {1, "where an edge begins: its {a} in this {span}, from its vertex", {Begin}},
         {1, "else: {a}_{lo} ← {a}_{lo} + m_{lo}, {a}_{hi} ← {a}_{hi} + m_{hi}, exactly", {Span}}};
@@ -124,7 +122,7 @@ void addCoefficients(WalkListing &listing, InterpolationForm form)
         "for each value v of R, G, B: A_v ← (y₁ − y₀)·(v₂ − v₀) − (v₁ − v₀)·(y₂ − y₀); B_v ← (v₁ − "
         "v₀)·(x₂ − x₀) − (x₁ − x₀)·(v₂ − v₀); D_v ← −(A_v·x₀ + B_v·y₀ + C·v₀)");
     add(0, "for each value v of R, G, B: a_v, b_v, c_v ← −A_v/C, −B_v/C, −D_v/C");
-    add(0, QStringLiteral("if %1:").arg(oneColourText()));
+    add(0, u"if %1:"_s.arg(oneColourText()));
     add(1, "for each value v of R, G, B: a_v, b_v, c_v ← 0, 0, v₀");
 }
 
@@ -137,7 +135,7 @@ Pseudocode withSamples(Pseudocode code, InterpolationForm form)
     if (form == InterpolationForm::Barycentric) {
         add("α ← a_α·x + b_α·y + c_α; β and γ likewise", LineOf::Area);
         add("R ← α·R₀ + β·R₁ + γ·R₂; G and B likewise", LineOf::Area);
-        add(QStringLiteral("if %1: R ← R₀; G and B likewise").arg(oneColourText()), LineOf::Area);
+        add(u"if %1: R ← R₀; G and B likewise"_s.arg(oneColourText()), LineOf::Area);
     } else {
         add("for each value v of R, G, B: v ← a_v·x + b_v·y + c_v", LineOf::Area);
     }
@@ -177,13 +175,13 @@ Pseudocode shadedPseudocode(InterpolationForm form)
 
     Pseudocode code = columnLines(form);
     const auto columns = std::ranges::find_if(code, [](const PseudocodeLine &line) {
-        return line.text.startsWith(QStringLiteral("for each {span}"));
+        return line.text.startsWith(u"for each {span}"_s);
     });
     PseudocodeLine everyColumn = *columns;
     columns->antialiasing = one;
     everyColumn.text.replace(
-        QStringLiteral("that the fill rule takes"),
-        QStringLiteral("in which a sample, or a part of a pixel's square, is the triangle's"));
+        u"that the fill rule takes"_s,
+        u"in which a sample, or a part of a pixel's square, is the triangle's"_s);
     everyColumn.antialiasing
         = {Antialiasing::Samples4, Antialiasing::Samples16, Antialiasing::Area};
     code.insert(columns + 1, everyColumn);
@@ -234,11 +232,11 @@ Pseudocode shadedPseudocode(InterpolationForm form)
     append("colour ← the bytes of R, G, B", {});
     append("colour ← ⌊colour·t/255 + ½⌋ with the texel t at (u, v)", Effect::Texture);
     append("colour ← ambient and, of each light, the diffuse and specular term", Effect::Light);
-    const auto blended = QStringLiteral("colour ← ⌊(colour·a + %1·(255 − a))/255 + ½⌋");
-    const QString overPixel = blended.arg(QStringLiteral("pixel"));
-    const auto ofAlpha = QStringLiteral(" — a is the byte of A");
+    const auto blended = u"colour ← ⌊(colour·a + %1·(255 − a))/255 + ½⌋"_s;
+    const QString overPixel = blended.arg(u"pixel"_s);
+    const auto ofAlpha = u" — a is the byte of A"_s;
     append(overPixel + ofAlpha, Effect::Blending, one);
-    append(blended.arg(QStringLiteral("sample")) + ofAlpha, Effect::Blending, several);
+    append(blended.arg(u"sample"_s) + ofAlpha, Effect::Blending, several);
     append("a ← ⌊a·area + ½⌋ — area is the covered part of the pixel's square, a was the byte of "
            "A, 255 where nothing is blended",
            {}, area);

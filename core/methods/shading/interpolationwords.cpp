@@ -15,26 +15,23 @@ QString verticesText(InterpolationForm form, const std::array<int, 3> &order,
     QStringList points;
     for (std::size_t i = 0; i < 3; ++i) {
         const std::size_t vertex = isSorted ? std::size_t(order[i]) : i;
-        const QString name = QStringLiteral("P%1 = ").arg(vertexDigits[i]);
-        points.append((isSorted ? name + QStringLiteral("vertex %1 ").arg(vertex) : name)
+        const QString name = u"P%1 = "_s.arg(vertexDigits[i]);
+        points.append((isSorted ? name + u"vertex %1 "_s.arg(vertex) : name)
                       + pointText(positions[vertex]));
     }
-    const QString sorted = axisOf(form) == SpanAxis::Row
-        ? QStringLiteral("Sorted by y, the largest first: ")
-        : QStringLiteral("Sorted by x: ");
-    return (isSorted ? sorted : QStringLiteral("The vertices as they are given: "))
-        + points.join(QStringLiteral(", ")) + u'.';
+    const QString sorted = axisOf(form) == SpanAxis::Row ? u"Sorted by y, the largest first: "_s
+                                                         : u"Sorted by x: "_s;
+    return (isSorted ? sorted : u"The vertices as they are given: "_s) + points.join(u", "_s)
+        + u'.';
 }
 
 QString segmentText(InterpolationForm form, const std::array<int, 3> &order)
 {
     const QString segment = isBilinear(form) ? nameOf(SortedEdge::L02)
-                                             : QStringLiteral("P%1P%2")
-                                                   .arg(vertexDigits[std::size_t(order[0])])
+                                             : u"P%1P%2"_s.arg(vertexDigits[std::size_t(order[0])])
                                                    .arg(vertexDigits[std::size_t(order[2])]);
-    return QStringLiteral(" It has no area: the closed rule paints the samples on its segment, "
-                          "coloured along %1.")
-        .arg(segment);
+    return u" It has no area: the closed rule paints the samples on its segment, "
+           "coloured along %1."_s.arg(segment);
 }
 
 void tellInterpolated(StepWords &words, const ShadedSpanState &state, InterpolationForm form)

@@ -43,7 +43,7 @@ QString planeSlope(QChar axis) { return planeSlope(axis, u'(' + doubledAreaText(
 
 QString unitOf(Channel channel, const QString &per)
 {
-    return isLevel(channel) ? QStringLiteral("levels") + per : QString();
+    return isLevel(channel) ? u"levels"_s + per : QString();
 }
 
 } // namespace pixelplumb

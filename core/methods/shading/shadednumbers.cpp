@@ -16,9 +16,9 @@ using Group = NumberGroup;
 
 void appendVertices(NumberTable<ShadedSetUpState> &table, const ShadedScope &scope)
 {
-    const QString owner = isBilinear(scope.form) ? QStringLiteral("%1 of the sorted vertex P%2")
-                                                 : QStringLiteral("%1 of P%2, as it is given");
-    const QString dash = scope.isPlanned ? QString() : QStringLiteral("_");
+    const QString owner = isBilinear(scope.form) ? u"%1 of the sorted vertex P%2"_s
+                                                 : u"%1 of P%2, as it is given"_s;
+    const QString dash = scope.isPlanned ? QString() : u"_"_s;
     for (std::size_t digit = 0; digit < 3; ++digit) {
         const auto row = [&](const QString &name, const QString &unit, const QString &toolTip,
                              const auto &read) {
@@ -53,8 +53,7 @@ void appendValues(NumberTable<ShadedSetUpState> &table, const ShadedScope &scope
         if (which != Channel::Reciprocal)
             table.push_back(
                 {plainNumber(given + QString::number(digit), given + vertexDigits[digit],
-                             unitOf(which),
-                             QStringLiteral("%1 at P%2.").arg(given).arg(vertexDigits[digit]), {},
+                             unitOf(which), u"%1 at P%2."_s.arg(given).arg(vertexDigits[digit]), {},
                              Group::EdgeColours),
                  [digit, at = channel.at](const ShadedSetUpState &state) {
                      return state.given[at][state.vertexOf(digit)];
@@ -62,20 +61,18 @@ void appendValues(NumberTable<ShadedSetUpState> &table, const ShadedScope &scope
         if (!isDivided)
             continue;
         const QString name = linearName(which, scope.effects);
-        const QString above
-            = which == Channel::Reciprocal ? QStringLiteral("1") : given + vertexDigits[digit];
+        const QString above = which == Channel::Reciprocal ? u"1"_s : given + vertexDigits[digit];
         table.push_back(
             {comparedNumber(
                  name + QString::number(digit), name + vertexDigits[digit], unitOf(which),
                  (which == Channel::Reciprocal
-                      ? QStringLiteral("%1 at P%2 divided by its w, or as it is where nothing "
-                                       "is divided: what is linear in the frame.")
-                      : QStringLiteral("%1 at P%2, divided by its w unless it is the same at all "
-                                       "vertices: what is linear in the frame."))
-                     .arg(which == Channel::Reciprocal ? QStringLiteral("1") : given)
+                      ? u"%1 at P%2 divided by its w, or as it is where nothing "
+                        "is divided: what is linear in the frame."_s
+                      : u"%1 at P%2, divided by its w unless it is the same at all "
+                        "vertices: what is linear in the frame."_s)
+                     .arg(which == Channel::Reciprocal ? u"1"_s : given)
                      .arg(vertexDigits[digit]),
-                 QStringLiteral("%1 = %2/w%3")
-                     .arg(name + vertexDigits[digit], above, vertexDigits[digit]),
+                 u"%1 = %2/w%3"_s.arg(name + vertexDigits[digit], above, vertexDigits[digit]),
                  Group::EdgeColours),
              [digit, at = channel.at](const ShadedSetUpState &state) {
                  return state.linear[at][state.vertexOf(digit)];
@@ -84,11 +81,10 @@ void appendValues(NumberTable<ShadedSetUpState> &table, const ShadedScope &scope
                  if (state.isDivided[at])
                      return;
                  const bool divides = state.isDivided[indexOf(Channel::Reciprocal)];
-                 number.formula = QStringLiteral("%1 = %2").arg(number.title, above);
+                 number.formula = u"%1 = %2"_s.arg(number.title, above);
                  number.toolTip
-                     = (divides ? QStringLiteral("%1 itself: the vertices agree in it.")
-                                : QStringLiteral(
-                                    "%1 itself: there is nothing to correct in this triangle."))
+                     = (divides ? u"%1 itself: the vertices agree in it."_s
+                                : u"%1 itself: there is nothing to correct in this triangle."_s)
                            .arg(above);
              }});
     }
@@ -113,8 +109,8 @@ QString slopeFormula(const EdgeWalkNames &names, const QString &title, SortedEdg
                      const QString &letter)
 {
     const auto &ends = sortedEdgeEnds[std::size_t(edge)];
-    return title + QStringLiteral(" = (") + letter + vertexDigits[ends[1]] + QStringLiteral(" − ")
-        + letter + vertexDigits[ends[0]] + QStringLiteral(")/") + names.way(ends[0], ends[1]);
+    return title + u" = ("_s + letter + vertexDigits[ends[1]] + u" − "_s + letter
+        + vertexDigits[ends[0]] + u")/"_s + names.way(ends[0], ends[1]);
 }
 
 /// What each span adds to its bound along an edge.
@@ -123,13 +119,12 @@ void appendSlope(NumberTable<ShadedSetUpState> &table, const EdgeWalkNames &name
     const auto &ends = sortedEdgeEnds[std::size_t(edge)];
     const QString title = u'm' + subscriptOf(edge);
     table.push_back(
-        {names.filled(
-             comparedNumber(QStringLiteral("m_%1%2").arg(ends[0]).arg(ends[1]), title, "px/{span}",
-                            QStringLiteral("Slope of the edge from P%1 to P%2: what each {span} "
-                                           "adds to its {a}; none where it lies along the {span}s.")
-                                .arg(vertexDigits[ends[0]])
-                                .arg(vertexDigits[ends[1]]),
-                            slopeFormula(names, title, edge, "{a}"), Group::Position)),
+        {names.filled(comparedNumber(
+             u"m_%1%2"_s.arg(ends[0]).arg(ends[1]), title, "px/{span}",
+             u"Slope of the edge from P%1 to P%2: what each {span} "
+             "adds to its {a}; none where it lies along the {span}s."_s.arg(vertexDigits[ends[0]])
+                 .arg(vertexDigits[ends[1]]),
+             slopeFormula(names, title, edge, "{a}"), Group::Position)),
          [=](const ShadedSetUpState &state) { return state.slope[edgeIn(state, edge)]; }});
 }
 
@@ -141,16 +136,15 @@ void appendRate(NumberTable<ShadedSetUpState> &table, const ShadedScope &scope,
     const auto &ends = sortedEdgeEnds[std::size_t(edge)];
     const QString name = linearName(channel.which, scope.effects);
     const QString title = u'δ' + name + subscriptOf(edge);
-    table.push_back(
-        {names.filled(comparedNumber(
-             QStringLiteral("rate_%1_%2%3").arg(name).arg(ends[0]).arg(ends[1]), title,
-             unitOf(channel.which, "/{span}"),
-             QStringLiteral("What each {span} adds to %1 along %2.").arg(name, nameOf(edge)),
-             slopeFormula(names, title, edge, name), Group::ColourRates)),
-         [edge, at = channel.at](const ShadedSetUpState &state) {
-             return state.rate[std::size_t(edge)][at];
-         },
-         ifCarried(scope, channel.at)});
+    table.push_back({names.filled(comparedNumber(
+                         u"rate_%1_%2%3"_s.arg(name).arg(ends[0]).arg(ends[1]), title,
+                         unitOf(channel.which, "/{span}"),
+                         u"What each {span} adds to %1 along %2."_s.arg(name, nameOf(edge)),
+                         slopeFormula(names, title, edge, name), Group::ColourRates)),
+                     [edge, at = channel.at](const ShadedSetUpState &state) {
+                         return state.rate[std::size_t(edge)][at];
+                     },
+                     ifCarried(scope, channel.at)});
 }
 
 } // namespace

@@ -18,22 +18,21 @@ using Table = NumberTable<State>;
 /// "⌊R + ½⌋"
 QString roundedText(const QString &level, ByteRounding rounding)
 {
-    return u'⌊' + level
-        + (rounding == ByteRounding::Nearest ? QStringLiteral(" + ½⌋") : QStringLiteral("⌋"));
+    return u'⌊' + level + (rounding == ByteRounding::Nearest ? u" + ½⌋"_s : u"⌋"_s);
 }
 
 /// What is painted: the colour as the last stage left it.
 void appendSource(Table &table, const EffectSet &ofScope, ByteRounding rounding)
 {
     const bool hasBase = ofScope.texture || ofScope.light;
-    const QString surface = ofScope.texture ? QStringLiteral("s_% = mod_%")
-        : ofScope.light                     ? QStringLiteral("s_% = base_%")
+    const QString surface = ofScope.texture ? u"s_% = mod_%"_s
+        : ofScope.light                     ? u"s_% = base_%"_s
                                             : QString();
     appendBytes(
         table, "s", "% that is painted.", surface, [](const State &state) { return state.source; },
         [=](const State &state) {
             if (state.effects.light)
-                return QStringLiteral("s_% = min(255, ⌊I_% + ½⌋)");
+                return u"s_% = min(255, ⌊I_% + ½⌋)"_s;
             return hasBase ? QString() : bytesFormula(state, rounding, "s_% = ");
         });
 }
@@ -49,8 +48,7 @@ void appendBlending(Table &table, const ShadedScope &scope)
                              ? shadedByteFormula(state, {indexOf(Channel::Alpha)}, rounding)
                              : QString();
                          if (!byte.isEmpty())
-                             number.formula
-                                 = QStringLiteral("a = ") + QString(byte).replace(u'%', u'A');
+                             number.formula = u"a = "_s + QString(byte).replace(u'%', u'A');
                      }});
     QString alpha = "a";
     if (scope.antialiasing == Antialiasing::Area) {
@@ -75,11 +73,9 @@ void appendBlending(Table &table, const ShadedScope &scope)
                 [](const State &state) { return state.before; });
     appendBytes(
         table, "r", "% of the pixel now.",
-        QStringLiteral("r_% = ⌊(s_%·@ + d_%·(255 − @))/255 + ½⌋").replace(u'@', alpha),
+        u"r_% = ⌊(s_%·@ + d_%·(255 − @))/255 + ½⌋"_s.replace(u'@', alpha),
         [](const State &state) { return state.after; },
-        [](const State &state) {
-            return state.isBlended ? QString() : QStringLiteral("r_% = s_%");
-        });
+        [](const State &state) { return state.isBlended ? QString() : u"r_% = s_%"_s; });
 }
 
 void appendSamples(Table &table, std::size_t samples)
@@ -98,14 +94,13 @@ void appendSamples(Table &table, std::size_t samples)
                      [](const State &state) -> const PixelSamples & { return state.pixelSamples; });
     for (std::size_t i = 0; i < 3; ++i) {
         const QString letter = QString(QChar(channelLetters[i]));
-        appendPlain(
-            table, QStringLiteral("mean_") + letter,
-            QStringLiteral("The mean of %1 over the pixel's samples, as a byte.").arg(letter),
-            QStringLiteral("mean_%1 = ⌊sum_%1/%2 + ½⌋").arg(letter).arg(samples),
-            [i](const State &state) {
-                return state.samples() == 0 ? Quantity()
-                                            : Quantity::integer(state.after.channels[i]);
-            });
+        appendPlain(table, u"mean_"_s + letter,
+                    u"The mean of %1 over the pixel's samples, as a byte."_s.arg(letter),
+                    u"mean_%1 = ⌊sum_%1/%2 + ½⌋"_s.arg(letter).arg(samples),
+                    [i](const State &state) {
+                        return state.samples() == 0 ? Quantity()
+                                                    : Quantity::integer(state.after.channels[i]);
+                    });
     }
 }
 
@@ -122,7 +117,7 @@ QString shadedByteFormula(const ShadedSampleState &state,
             return {};
         isClamped = isClamped || level.toDouble() < 0 || level.toDouble() > 255;
     }
-    return isClamped ? QStringLiteral("min(255, max(0, ") + text + QStringLiteral("))") : text;
+    return isClamped ? u"min(255, max(0, "_s + text + u"))"_s : text;
 }
 
 QString bytesFormula(const ShadedSampleState &state, ByteRounding rounding, const QString &name)

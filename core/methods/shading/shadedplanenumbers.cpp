@@ -46,18 +46,18 @@ QString planeFormula(const ShadedSetUpState &state, QChar letter, const QString 
     if (state.zeroArea) {
         const SegmentDigits ends(state);
         if (letter == u'c')
-            text = ends.along.isNull() ? ends.filled("%#")
-                                       : ends.filled(QStringLiteral("%# − ")
-                                                     + coefficient(ends.along == u'x' ? u'a' : u'b')
-                                                     + QStringLiteral("·@#"));
+            text = ends.along.isNull()
+                ? ends.filled("%#")
+                : ends.filled(u"%# − "_s + coefficient(ends.along == u'x' ? u'a' : u'b')
+                              + u"·@#"_s);
         else
-            text = ends.isAlong(letter) ? ends.filled("(%& − %#)/(@& − @#)") : QStringLiteral("0");
+            text = ends.isAlong(letter) ? ends.filled("(%& − %#)/(@& − @#)") : u"0"_s;
     } else if (letter != u'c') {
         text = planeSlope(letter == u'a' ? u'x' : u'y');
     } else {
-        text = QStringLiteral("%₀ − %1·x₀ − %2·y₀").arg(coefficient(u'a'), coefficient(u'b'));
+        text = u"%₀ − %1·x₀ − %2·y₀"_s.arg(coefficient(u'a'), coefficient(u'b'));
     }
-    return coefficient(letter) + QStringLiteral(" = ") + text.replace(u'%', name);
+    return coefficient(letter) + u" = "_s + text.replace(u'%', name);
 }
 
 /// a, b or c of the weight of a vertex: 1 there, 0 on the line through the other two.
@@ -65,7 +65,7 @@ QString weightFormula(const ShadedSetUpState &state, QChar letter, std::size_t v
 {
     const QString weight = weightTitle(vertex);
     const auto coefficient = [&](QChar other) { return coefficientOf(other, weight); };
-    const QString left = coefficient(letter) + QStringLiteral(" = ");
+    const QString left = coefficient(letter) + u" = "_s;
     if (state.zeroArea) {
         const SegmentDigits ends(state);
         const bool isFirst = std::size_t(state.order[0]) == vertex;
@@ -73,14 +73,13 @@ QString weightFormula(const ShadedSetUpState &state, QChar letter, std::size_t v
         if (letter != u'c')
             return left
                 + (!ends.isAlong(letter) || !(isFirst || isLast)
-                       ? QStringLiteral("0")
-                       : ends.filled(isLast ? QStringLiteral("1/(@& − @#)")
-                                            : QStringLiteral("−1/(@& − @#)")));
+                       ? u"0"_s
+                       : ends.filled(isLast ? u"1/(@& − @#)"_s : u"−1/(@& − @#)"_s));
         if (ends.along.isNull() || !(isFirst || isLast))
-            return left + (isFirst ? QStringLiteral("1") : QStringLiteral("0"));
+            return left + (isFirst ? u"1"_s : u"0"_s);
         return left
-            + ends.filled((isFirst ? QStringLiteral("1 − ") : QStringLiteral("−"))
-                          + coefficient(ends.along == u'x' ? u'a' : u'b') + QStringLiteral("·@#"));
+            + ends.filled((isFirst ? u"1 − "_s : u"−"_s)
+                          + coefficient(ends.along == u'x' ? u'a' : u'b') + u"·@#"_s);
     }
     const auto filled = [&](QString text) {
         return text.replace(u'#', vertexDigits[(vertex + 1) % 3])
@@ -90,11 +89,8 @@ QString weightFormula(const ShadedSetUpState &state, QChar letter, std::size_t v
     const QString there = "((y& − y#)·(x@ − x#) + (x# − x&)·(y@ − y#))";
     if (letter == u'c')
         return left
-            + filled(QStringLiteral("−") + coefficient(u'a') + QStringLiteral("·x# − ")
-                     + coefficient(u'b') + QStringLiteral("·y#"));
-    return left
-        + filled((letter == u'a' ? QStringLiteral("(y& − y#)/") : QStringLiteral("(x# − x&)/"))
-                 + there);
+            + filled(u"−"_s + coefficient(u'a') + u"·x# − "_s + coefficient(u'b') + u"·y#"_s);
+    return left + filled((letter == u'a' ? u"(y& − y#)/"_s : u"(x# − x&)/"_s) + there);
 }
 
 /// N = ⟨A, B, C⟩ and D of the plane through the three values; % stands for the channel.
@@ -114,21 +110,21 @@ void appendNormal(NumberTable<ShadedSetUpState> &table, const ShadedScope &scope
     const QString name = shadedName(channel.which);
     for (std::size_t i = 0; i < components.size(); ++i) {
         const QString title = coefficientOf(QString::fromUtf16(components[i].name), name);
-        QString formula = title + QStringLiteral(" = ") + QString::fromUtf16(components[i].formula);
+        QString formula = title + u" = "_s + QString::fromUtf16(components[i].formula);
         if (i == 3)
             for (const char16_t letter : {u'A', u'B', u'C'})
-                formula.replace(QStringLiteral("{%1}").arg(QChar(letter)),
+                formula.replace(u"{%1}"_s.arg(QChar(letter)),
                                 coefficientOf(QString(QChar(letter)), name));
         table.push_back(
-            {comparedNumber(QStringLiteral("normal_") + title, title,
+            {comparedNumber(u"normal_"_s + title, title,
                             components[i].unit
                                 ? unitOf(channel.which, QString::fromUtf16(components[i].unit))
                                 : "px²",
                             i < 3 ? QString::fromUtf16(components[i].name)
-                                    + QStringLiteral(" of the normal N = (P₁ − P₀) × (P₂ − P₀) of "
-                                                     "the plane through the three values of ")
+                                    + u" of the normal N = (P₁ − P₀) × (P₂ − P₀) of "
+                                      "the plane through the three values of "_s
                                     + name + u'.'
-                                  : QStringLiteral("D = −N·P₀ of the plane of ") + name + u'.',
+                                  : u"D = −N·P₀ of the plane of "_s + name + u'.',
                             formula.replace(u'%', name), NumberGroup::ColourRates),
              [i, at = channel.at](const ShadedSetUpState &state) { return state.normal[at][i]; },
              ifCarried(scope, channel.at)});
@@ -146,17 +142,16 @@ void appendWeightLine(NumberTable<ShadedSetUpState> &table, std::size_t vertex)
             .replace(u'@', vertexDigits[vertex])
             .replace(u'%', weight);
     };
-    const auto line
-        = [&](std::size_t part, QChar letter, const QString &toolTip, const QString &formula) {
-              table.push_back(
-                  {comparedNumber(QStringLiteral("line_%1_%2").arg(letter).arg(weightId(vertex)),
-                                  QStringLiteral("%1_%2").arg(letter).arg(weight), {},
-                                  letter + u' ' + filled(toolTip), filled(formula),
-                                  NumberGroup::Decision),
-                   [=](const ShadedSetUpState &state) { return state.line[vertex][part]; }});
-          };
-    const auto ofLine = QStringLiteral("of F(x, y) = A·x + B·y + C, the line through the vertices "
-                                       "that do not face it: that of the weight %.");
+    const auto line = [&](std::size_t part, QChar letter, const QString &toolTip,
+                          const QString &formula) {
+        table.push_back(
+            {comparedNumber(u"line_%1_%2"_s.arg(letter).arg(weightId(vertex)),
+                            u"%1_%2"_s.arg(letter).arg(weight), {}, letter + u' ' + filled(toolTip),
+                            filled(formula), NumberGroup::Decision),
+             [=](const ShadedSetUpState &state) { return state.line[vertex][part]; }});
+    };
+    const auto ofLine = u"of F(x, y) = A·x + B·y + C, the line through the vertices "
+                        "that do not face it: that of the weight %."_s;
     line(0, u'A', ofLine, "A_% = y& − y#");
     line(1, u'B', ofLine, "B_% = x# − x&");
     line(2, u'C', ofLine, "C_% = −A_%·x# − B_%·y#");
@@ -182,7 +177,7 @@ void appendCoefficients(NumberTable<ShadedSetUpState> &table, const Coefficients
         const QChar letter = coefficientLetters[k];
         table.push_back(
             {comparedNumber(coefficientOf(letter, of.idName), coefficientOf(letter, of.name),
-                            k < 2 && !of.unit.isEmpty() ? of.unit + QStringLiteral("/px") : of.unit,
+                            k < 2 && !of.unit.isEmpty() ? of.unit + u"/px"_s : of.unit,
                             letter + of.toolTip, of.formula ? of.formula(letter) : QString(),
                             of.group),
              [read = of.read, k](const ShadedSetUpState &state) { return read(state, k); },
@@ -202,7 +197,7 @@ void appendPlane(NumberTable<ShadedSetUpState> &table, const ShadedScope &scope,
         name,
         name,
         unitOf(channel.which),
-        QStringLiteral(" of %1 = a·x + b·y + c, the plane through its three values.").arg(name),
+        u" of %1 = a·x + b·y + c, the plane through its three values."_s.arg(name),
         NumberGroup::ColourRates,
         [at = channel.at](const ShadedSetUpState &state, std::size_t k) {
             return state.plane[at][k];
@@ -214,9 +209,8 @@ void appendPlane(NumberTable<ShadedSetUpState> &table, const ShadedScope &scope,
     if (!scope.isPlanned) {
         plane.formula = [name](QChar letter) {
             const QChar dividend = letter == u'c' ? QChar(u'D') : letter.toUpper();
-            return QStringLiteral("%1 = −%2/%3")
-                .arg(coefficientOf(letter, name), coefficientOf(dividend, name),
-                     coefficientOf("C", name));
+            return u"%1 = −%2/%3"_s.arg(coefficientOf(letter, name), coefficientOf(dividend, name),
+                                        coefficientOf("C", name));
         };
         plane.specify = [clear = ifCarried(scope, channel.at)](NumberDescription &number,
                                                                const ShadedSetUpState &state,
@@ -233,7 +227,7 @@ void appendWeight(NumberTable<ShadedSetUpState> &table, const ShadedScope &scope
         name,
         name,
         {},
-        QStringLiteral(" of the weight of P%1, a·x + b·y + c.").arg(vertexDigits[vertex]),
+        u" of the weight of P%1, a·x + b·y + c."_s.arg(vertexDigits[vertex]),
         NumberGroup::ColourRates,
         [vertex](const ShadedSetUpState &state, std::size_t k) { return state.weight[vertex][k]; },
         {},
@@ -244,7 +238,7 @@ void appendWeight(NumberTable<ShadedSetUpState> &table, const ShadedScope &scope
         weight.idName = weightId(vertex);
         weight.group = NumberGroup::Decision;
         weight.formula = [name](QChar letter) {
-            return QStringLiteral("%1_%2 = k_%2·%3_%2").arg(letter).arg(name).arg(letter.toUpper());
+            return u"%1_%2 = k_%2·%3_%2"_s.arg(letter).arg(name).arg(letter.toUpper());
         };
         weight.specify = {};
     }

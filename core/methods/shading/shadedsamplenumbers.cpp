@@ -18,10 +18,9 @@ using Table = NumberTable<State>;
 /// A level is interpolated only if the vertices' levels differ.
 QString atSampleText(Channel channel)
 {
-    const QString text = QStringLiteral("%1 at the sample").arg(shadedName(channel));
-    return isLevel(channel)
-        ? text + QStringLiteral(", interpolated; of a triangle of one colour, that colour")
-        : text;
+    const QString text = u"%1 at the sample"_s.arg(shadedName(channel));
+    return isLevel(channel) ? text + u", interpolated; of a triangle of one colour, that colour"_s
+                            : text;
 }
 
 /// Along the segment of a triangle without area, from P0 to P2 in the digits of the form.
@@ -32,10 +31,9 @@ QString segmentFormula(InterpolationForm form, const QString &name, const State 
     const QChar last = vertexDigits[isSorted ? 2 : std::size_t(state.order[2])];
     const bool isRow = axisOf(form) == SpanAxis::Row;
     // Rows are walked downwards, along growing −y.
-    const QString value = state.start.isOnePoint ? QStringLiteral("% = %#")
-        : isRow && !state.start.isVertical
-        ? QStringLiteral("% = %# + (@# − @)·((%& − %#)/(@# − @&))")
-        : QStringLiteral("% = %# + (@ − @#)·((%& − %#)/(@& − @#))");
+    const QString value = state.start.isOnePoint ? u"% = %#"_s
+        : isRow && !state.start.isVertical ? u"% = %# + (@# − @)·((%& − %#)/(@# − @&))"_s
+                                           : u"% = %# + (@ − @#)·((%& − %#)/(@& − @#))"_s;
     return QString(value)
         .replace(u'@', state.start.isVertical != isRow ? u'y' : u'x')
         .replace(u'#', first)
@@ -52,9 +50,8 @@ void specifyValue(NumberDescription &number, InterpolationForm form, const QStri
         number.formula = segmentFormula(form, name, state);
         number.startFormula.clear();
     } else if (isBilinear(form) && state.start.isPoint) {
-        number.formula = QStringLiteral("%1 ← %1′").arg(name);
-        number.startFormula
-            = walkNames(form).filled(name + QStringLiteral(" ← ") + withSubscript(name, "{lo}"));
+        number.formula = u"%1 ← %1′"_s.arg(name);
+        number.startFormula = walkNames(form).filled(name + u" ← "_s + withSubscript(name, "{lo}"));
     }
 }
 
@@ -65,31 +62,28 @@ void appendLinear(Table &table, const ShadedScope &scope, const ScopedChannel &c
     const InterpolationForm form = scope.form;
     const QString name = linearName(which, scope.effects);
     const QString direct = walkNames(form).filled(
-        QStringLiteral("%1 ← %2 + ({a} − {a}_{lo})·Δ%1").arg(name, withSubscript(name, "{lo}")));
+        u"%1 ← %2 + ({a} − {a}_{lo})·Δ%1"_s.arg(name, withSubscript(name, "{lo}")));
     QString formula;
     switch (form) {
     case InterpolationForm::Bilinear:
     case InterpolationForm::BilinearRows:
-        formula = QStringLiteral("%1 ← %1′ + Δ%1").arg(name);
+        formula = u"%1 ← %1′ + Δ%1"_s.arg(name);
         break;
     case InterpolationForm::Plane:
-        formula = QStringLiteral("%1 = %2·x + %3·y + %4")
-                      .arg(name, coefficientOf("a", name), coefficientOf("b", name),
-                           coefficientOf("c", name));
+        formula = u"%1 = %2·x + %3·y + %4"_s.arg(
+            name, coefficientOf("a", name), coefficientOf("b", name), coefficientOf("c", name));
         break;
     case InterpolationForm::Barycentric:
         // Not arg(), which would read a subscript after a place marker as one of its digits.
-        formula = name + QStringLiteral(" = α·") + name + QStringLiteral("₀ + β·") + name
-            + QStringLiteral("₁ + γ·") + name + u'₂';
+        formula = name + u" = α·"_s + name + u"₀ + β·"_s + name + u"₁ + γ·"_s + name + u'₂';
         break;
     }
-    const QString toolTip = !scope.isPlanned ? QStringLiteral("%1 at the sample.").arg(name)
+    const QString toolTip = !scope.isPlanned ? u"%1 at the sample."_s.arg(name)
         : scope.effects.perspective && followsPerspective(which)
-        ? QStringLiteral("%1/w at the sample, linear in the frame; %1 itself where it is the same "
-                         "at all vertices.")
-              .arg(shadedName(which))
+        ? u"%1/w at the sample, linear in the frame; %1 itself where it is the same "
+          "at all vertices."_s.arg(shadedName(which))
         : which == Channel::Reciprocal
-        ? QStringLiteral("1/w at the sample, or 1 where nothing is divided: linear in the frame.")
+        ? u"1/w at the sample, or 1 where nothing is divided: linear in the frame."_s
         : atSampleText(which) + u'.';
     NumberDescription number
         = comparedNumber(name, name, unitOf(which), toolTip, formula, Group::FirstColour);
@@ -104,8 +98,7 @@ void appendLinear(Table &table, const ShadedScope &scope, const ScopedChannel &c
                  current.formula = direct;
              if (form == InterpolationForm::Barycentric && state.isCommon[at]
                  && (isPlanned || state.start.hasPlane))
-                 current.formula
-                     = QStringLiteral("%1 = %1").arg(name) + vertexDigits[state.commonVertex];
+                 current.formula = u"%1 = %1"_s.arg(name) + vertexDigits[state.commonVertex];
          }});
 }
 
@@ -115,16 +108,15 @@ void appendQuotient(Table &table, const ShadedScope &scope, const ScopedChannel 
     const Channel which = channel.which;
     const QString &name = shadedName(which);
     table.push_back(
-        {comparedNumber(name, name, unitOf(which),
-                        atSampleText(which) + QStringLiteral(": the quotient."),
-                        QStringLiteral("%1 = %2/q").arg(name, linearName(which, scope.effects)),
+        {comparedNumber(name, name, unitOf(which), atSampleText(which) + u": the quotient."_s,
+                        u"%1 = %2/q"_s.arg(name, linearName(which, scope.effects)),
                         Group::FirstColour),
          [at = channel.at](const State &state) { return state.value[at]; },
          [which, linear = linearName(which, scope.effects)](NumberDescription &number,
                                                             const State &state) {
              if (state.isDivided[indexOf(which)])
                  return;
-             number.formula = QStringLiteral("%1 = %2").arg(number.title, linear);
+             number.formula = u"%1 = %2"_s.arg(number.title, linear);
              number.toolTip = atSampleText(which) + u'.';
          }});
 }
@@ -147,8 +139,7 @@ void appendDepth(Table &table, const ShadedScope &scope)
                  return;
              const bool isWithin = z.toDouble() >= 0 && z.toDouble() <= 1;
              number.formula
-                 = QStringLiteral("z_level = ⌊%1·%2 + ½⌋")
-                       .arg(isWithin ? QStringLiteral("z") : QStringLiteral("min(1, max(0, z))"))
+                 = u"z_level = ⌊%1·%2 + ½⌋"_s.arg(isWithin ? u"z"_s : u"min(1, max(0, z))"_s)
                        .arg(most);
          }});
 }
@@ -198,10 +189,9 @@ NumberTable<ShadedSampleState> shadedSampleNumbers(const ShadedScope &scope)
             table.push_back(
                 {comparedNumber(
                      weightId(i), weightTitle(i), {},
-                     QStringLiteral("Weight of P%1: 1 there, 0 on the line through the other two.")
-                         .arg(vertexDigits[i]),
-                     QStringLiteral("%1 = a_%1·x + b_%1·y + c_%1").arg(weightTitle(i)),
-                     Group::Decision),
+                     u"Weight of P%1: 1 there, 0 on the line through the other two."_s.arg(
+                         vertexDigits[i]),
+                     u"%1 = a_%1·x + b_%1·y + c_%1"_s.arg(weightTitle(i)), Group::Decision),
                  [i](const State &state) { return state.weight[i]; }});
     }
     for (const ScopedChannel &channel : scope.channels)
@@ -214,9 +204,8 @@ NumberTable<ShadedSampleState> shadedSampleNumbers(const ShadedScope &scope)
     }
     if (effects.perspective && effects.texture) {
         for (std::size_t i = 0; i < 2; ++i) {
-            appendPlain(table, i == 0 ? QStringLiteral("u_affine") : QStringLiteral("v_affine"),
-                        QStringLiteral("What %1 would be without perspective.")
-                            .arg(i == 0 ? QStringLiteral("u") : QStringLiteral("v")),
+            appendPlain(table, i == 0 ? u"u_affine"_s : u"v_affine"_s,
+                        u"What %1 would be without perspective."_s.arg(i == 0 ? u"u"_s : u"v"_s),
                         {}, [i](const State &state) { return state.affine[i]; });
             table.back().description.comparison = Comparison::WithExact;
         }

@@ -18,7 +18,7 @@ void appendWalked(NumberTable<ShadedSpanState> &table, const ShadedScope &scope,
 {
     const EdgeWalkNames names = walkNames(scope.form);
     number = names.filled(number);
-    number.formula = QStringLiteral("%1 ← %1′ + %2").arg(number.title, rate);
+    number.formula = u"%1 ← %1′ + %2"_s.arg(number.title, rate);
     table.push_back({number, read,
                      [=, isPlanned = scope.isPlanned](NumberDescription &current,
                                                       const ShadedSpanState &state) {
@@ -27,8 +27,8 @@ void appendWalked(NumberTable<ShadedSpanState> &table, const ShadedScope &scope,
                              && corners[0].position == corners[2].position;
                          // Exact numbers are the plane's, which in a point has P0's values.
                          current.formula = isPoint && read(state).isRational()
-                             ? QStringLiteral("%1 ← %2").arg(
-                                 current.title, value + vertexDigits[state.walk.digits[0]])
+                             ? u"%1 ← %2"_s.arg(current.title,
+                                                value + vertexDigits[state.walk.digits[0]])
                              : names.boundFormula(state.walk, bound, current.title, value, rate);
                      }});
 }
@@ -40,8 +40,8 @@ void appendBounds(NumberTable<ShadedSpanState> &table, const ShadedScope &scope)
                            Quantity ShadedSpanState::*value) {
         appendWalked(table, scope, side,
                      comparedNumber(title, title, "px",
-                                    QStringLiteral("Where the %1 edge meets the {span}.").arg(edge),
-                                    {}, Group::Span),
+                                    u"Where the %1 edge meets the {span}."_s.arg(edge), {},
+                                    Group::Span),
                      walkNames(scope.form).filled("{a}"), "m",
                      [value](const ShadedSpanState &state) { return state.*value; });
     };
@@ -55,15 +55,13 @@ void appendBoundValue(NumberTable<ShadedSpanState> &table, const ShadedScope &sc
 {
     const QString name = linearName(channel.which, scope.effects);
     const bool isLower = bound == SpanBound::Lower;
-    const QString title
-        = withSubscript(name, isLower ? QStringLiteral("{lo}") : QStringLiteral("{hi}"));
+    const QString title = withSubscript(name, isLower ? u"{lo}"_s : u"{hi}"_s);
     appendWalked(
         table, scope, bound,
         comparedNumber(
             title, title, unitOf(channel.which),
-            QStringLiteral(
-                "%1 where the %2 edge meets the {span}; its rate is added from {span} to {span}.")
-                .arg(name, isLower ? QStringLiteral("{lower}") : QStringLiteral("{upper}")),
+            u"%1 where the %2 edge meets the {span}; its rate is added from {span} to {span}."_s
+                .arg(name, isLower ? u"{lower}"_s : u"{upper}"_s),
             {}, Group::EdgeColours),
         name, u'δ' + name, [isLower, at = channel.at](const ShadedSpanState &state) {
             return (isLower ? state.bottom : state.top)[at];
@@ -75,26 +73,25 @@ void appendRate(NumberTable<ShadedSpanState> &table, const ShadedScope &scope,
                 const ScopedChannel &channel)
 {
     const QString name = linearName(channel.which, scope.effects);
-    QString toolTip
-        = QStringLiteral("Change of %1 from {across} to {across}, {a} growing").arg(name);
+    QString toolTip = u"Change of %1 from {across} to {across}, {a} growing"_s.arg(name);
     if (!scope.isPlanned)
-        toolTip += QStringLiteral("; none where {a}_{lo} = {a}_{hi}, with nothing to share out");
+        toolTip += u"; none where {a}_{lo} = {a}_{hi}, with nothing to share out"_s;
     table.push_back(
         {walkNames(scope.form)
-             .filled(comparedNumber(
-                 QStringLiteral("delta_") + name, u'Δ' + name, unitOf(channel.which, "/{across}"),
-                 toolTip + u'.',
-                 QStringLiteral("Δ%1 = (%2 − %3)/({a}_{hi} − {a}_{lo})")
-                     .arg(name, withSubscript(name, "{hi}"), withSubscript(name, "{lo}")),
-                 Group::ColourRates)),
+             .filled(
+                 comparedNumber(u"delta_"_s + name, u'Δ' + name, unitOf(channel.which, "/{across}"),
+                                toolTip + u'.',
+                                u"Δ%1 = (%2 − %3)/({a}_{hi} − {a}_{lo})"_s.arg(
+                                    name, withSubscript(name, "{hi}"), withSubscript(name, "{lo}")),
+                                Group::ColourRates)),
          [at = channel.at](const ShadedSpanState &state) { return state.rate[at]; },
          [=, at = channel.at, isPlanned = scope.isPlanned](NumberDescription &number,
                                                            const ShadedSpanState &state) {
              if (!isPlanned || state.lower != state.upper)
                  return;
              const bool isPlanes = state.walk.start.hasPlane && state.rate[at].isRational();
-             number.formula = QStringLiteral("Δ%1 = ").arg(name)
-                 + (isPlanes ? planeSlope(u'y').replace(u'%', name) : QStringLiteral("0"));
+             number.formula = u"Δ%1 = "_s.arg(name)
+                 + (isPlanes ? planeSlope(u'y').replace(u'%', name) : u"0"_s);
          }});
 }
 
@@ -104,11 +101,10 @@ void appendCovered(NumberTable<ShadedSpanState> &table, const ShadedScope &scope
     const EdgeWalkNames names = walkNames(scope.form);
     const auto covered = [&](const QString &which, const auto &read) {
         const QString toolTip = scope.isPlanned
-            ? QStringLiteral("The %1 row whose centre is covered; with exact areas, the %1 of "
-                             "whose square the triangle has a part.")
-            : QStringLiteral("The %1 covered {across}; exact in every arithmetic.");
-        table.push_back({names.filled(plainNumber(which + QStringLiteral("_{across}"),
-                                                  QStringLiteral("{a}_") + which, "px",
+            ? u"The %1 row whose centre is covered; with exact areas, the %1 of "
+              "whose square the triangle has a part."_s
+            : u"The %1 covered {across}; exact in every arithmetic."_s;
+        table.push_back({names.filled(plainNumber(which + u"_{across}"_s, u"{a}_"_s + which, "px",
                                                   toolTip.arg(which), {}, Group::Span)),
                          [read](const ShadedSpanState &state) {
                              return state.isBounded ? Quantity::integer(read(state)) : Quantity();
@@ -118,9 +114,9 @@ void appendCovered(NumberTable<ShadedSpanState> &table, const ShadedScope &scope
     covered("last", [](const ShadedSpanState &state) { return state.endRow - 1; });
     NumberDescription count = columnPixelsNumber();
     count.toolTip = scope.isPlanned
-        ? QStringLiteral("Rows from y_first to y_last inside the frame. Depth may refuse some, and "
-                         "samples beside the centres may lie on others: each pixel tells.")
-        : count.toolTip.replace(QStringLiteral("column"), QStringLiteral("{span}"));
+        ? u"Rows from y_first to y_last inside the frame. Depth may refuse some, and "
+          "samples beside the centres may lie on others: each pixel tells."_s
+        : count.toolTip.replace(u"column"_s, u"{span}"_s);
     table.push_back({names.filled(count), [](const ShadedSpanState &state) {
                          return Quantity::integer(state.drawnSamples());
                      }});

@@ -15,10 +15,9 @@ namespace {
 /// its centre where four are read: "32·u − ½".
 QString placeText(const ShadedSampleState &state, std::size_t side)
 {
-    return QStringLiteral("%1·%2%3")
-        .arg(state.textureSize[side])
+    return u"%1·%2%3"_s.arg(state.textureSize[side])
         .arg(QChar(side == 0 ? u'u' : u'v'))
-        .arg(state.isFiltered ? QStringLiteral(" − ½") : QString());
+        .arg(state.isFiltered ? u" − ½"_s : QString());
 }
 
 /// That place as a number; none if nothing is read, or beyond ±2^30, where a float kernel gives up
@@ -43,13 +42,12 @@ QString indexFormula(const ShadedSampleState &state, std::size_t side, const QSt
         return {};
     const std::int32_t size = state.textureSize[side];
     const QString below = u'⌊' + placeText(state, side) + u'⌋';
-    const QString left = index + QStringLiteral(" = ");
+    const QString left = index + u" = "_s;
     if (liesInside(*place, size))
         return left + below;
     return left
-        + (state.wrap == TextureWrap::Clamp
-               ? QStringLiteral("min(max(%1, 0), %2)").arg(below).arg(size - 1)
-               : QStringLiteral("%1 − %2·⌊%1/%2⌋").arg(below).arg(size));
+        + (state.wrap == TextureWrap::Clamp ? u"min(max(%1, 0), %2)"_s.arg(below).arg(size - 1)
+                                            : u"%1 − %2·⌊%1/%2⌋"_s.arg(below).arg(size));
 }
 
 QString fractionFormula(const ShadedSampleState &state, std::size_t side, const QString &fraction,
@@ -59,9 +57,8 @@ QString fractionFormula(const ShadedSampleState &state, std::size_t side, const 
     if (!place)
         return {};
     const QString text = placeText(state, side);
-    return QStringLiteral("%1 = %2 − %3")
-        .arg(fraction, text,
-             liesInside(*place, state.textureSize[side]) ? index : u'⌊' + text + u'⌋');
+    return u"%1 = %2 − %3"_s.arg(
+        fraction, text, liesInside(*place, state.textureSize[side]) ? index : u'⌊' + text + u'⌋');
 }
 
 bool isFiltered(const ShadedSampleState &state)
@@ -75,8 +72,7 @@ void appendFourTexels(NumberTable<ShadedSampleState> &table)
     const std::array places = {"texel (i, j)", "the texel next to it along u",
                                "the texel next to it along v", "the texel next to it along both"};
     for (std::size_t k = 0; k < names.size(); ++k)
-        appendBytes(table, names[k],
-                    QStringLiteral("% of %1, of the four that are mixed.").arg(places[k]), {},
+        appendBytes(table, names[k], u"% of %1, of the four that are mixed."_s.arg(places[k]), {},
                     [k](const ShadedSampleState &state) {
                         return isFiltered(state) ? std::optional(state.texels[k]) : std::nullopt;
                     });
@@ -87,12 +83,11 @@ void appendFourTexels(NumberTable<ShadedSampleState> &table)
 void appendTexels(NumberTable<ShadedSampleState> &table, const ShadedScope &scope)
 {
     for (std::size_t side = 0; side < 2; ++side) {
-        const QString index = side == 0 ? QStringLiteral("i") : QStringLiteral("j");
-        const QString coordinate = side == 0 ? QStringLiteral("u") : QStringLiteral("v");
+        const QString index = side == 0 ? u"i"_s : u"j"_s;
+        const QString coordinate = side == 0 ? u"u"_s : u"v"_s;
         table.push_back(
-            {plainNumber(index, index, {},
-                         QStringLiteral("The texel's place along %1, from 0.").arg(coordinate), {},
-                         NumberGroup::FirstColour),
+            {plainNumber(index, index, {}, u"The texel's place along %1, from 0."_s.arg(coordinate),
+                         {}, NumberGroup::FirstColour),
              ofWritten([side](const ShadedSampleState &state) {
                  return state.effects.texture ? Quantity::integer(state.firstTexel[side])
                                               : Quantity();
@@ -102,14 +97,13 @@ void appendTexels(NumberTable<ShadedSampleState> &table, const ShadedScope &scop
              }});
         if (!scope.isFiltered)
             continue;
-        const QString fraction = QStringLiteral("f_") + coordinate;
+        const QString fraction = u"f_"_s + coordinate;
         table.push_back(
             {comparedNumber(
                  fraction, fraction, {},
-                 QStringLiteral(
-                     "How far the sample lies between the centres of two texels along %1: 0 at the "
-                     "first one's. Beyond the texture they are those that would stand there.")
-                     .arg(coordinate),
+                 u"How far the sample lies between the centres of two texels along %1: 0 at the "
+                 "first one's. Beyond the texture they are those that would stand there."_s.arg(
+                     coordinate),
                  {}, NumberGroup::FirstColour),
              ofWritten([side](const ShadedSampleState &state) {
                  return isFiltered(state) ? state.fraction[side] : Quantity();
@@ -128,15 +122,15 @@ void appendTexels(NumberTable<ShadedSampleState> &table, const ShadedScope &scop
         },
         [](const ShadedSampleState &state) {
             return isFiltered(state)
-                ? QStringLiteral("t_% = ⌊(t00_%·(1 − f_u) + t10_%·f_u)·(1 − f_v) + (t01_%·(1 − "
-                                 "f_u) + t11_%·f_u)·f_v + ½⌋")
+                ? u"t_% = ⌊(t00_%·(1 − f_u) + t10_%·f_u)·(1 − f_v) + (t01_%·(1 − "
+                  "f_u) + t11_%·f_u)·f_v + ½⌋"_s
                 : QString();
         });
     appendBytes(
         table, "mod", "% modulated by the texel.", "mod_% = ⌊base_%·t_%/255 + ½⌋",
         [](const ShadedSampleState &state) { return state.textured; },
         [](const ShadedSampleState &state) {
-            return state.effects.texture ? QString() : QStringLiteral("mod_% = base_%");
+            return state.effects.texture ? QString() : u"mod_% = base_%"_s;
         });
 }
 

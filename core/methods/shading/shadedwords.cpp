@@ -12,7 +12,7 @@ namespace {
 
 QString levelsText(const Colour &colour)
 {
-    return QStringLiteral("(%1, %2, %3)").arg(colour.red()).arg(colour.green()).arg(colour.blue());
+    return u"(%1, %2, %3)"_s.arg(colour.red()).arg(colour.green()).arg(colour.blue());
 }
 
 /// What the depth test found.
@@ -20,13 +20,12 @@ QString depthText(const ShadedSampleState &state)
 {
     const QString z = term(state.depth);
     if (!state.isWritten)
-        return QStringLiteral("Refused: its depth %1 lies behind the stored depth %2.")
-            .arg(z, term(state.nearest));
+        return u"Refused: its depth %1 lies behind the stored depth %2."_s.arg(z,
+                                                                               term(state.nearest));
     if (state.nearest.isNone())
-        return QStringLiteral("No depth is stored here yet: %1 is kept.").arg(z);
-    return QStringLiteral(
-               "Depth %1 is not behind the stored %2: the sample is written and its depth kept.")
-        .arg(z, term(state.nearest));
+        return u"No depth is stored here yet: %1 is kept."_s.arg(z);
+    return u"Depth %1 is not behind the stored %2: the sample is written and its depth kept."_s.arg(
+        z, term(state.nearest));
 }
 
 /// How much of the pixel the triangle covers; empty if all.
@@ -34,14 +33,12 @@ QString shareText(const ShadedSampleState &state)
 {
     if (!state.isWritten || !state.isBlended || state.blendedAlpha == 255)
         return {};
-    const QString share = state.area.isNone() ? QStringLiteral("Its alpha is %1").arg(state.alpha)
-                                              : QStringLiteral("Its alpha %1 times that area is %2")
-                                                    .arg(state.alpha)
-                                                    .arg(state.blendedAlpha);
+    const QString share = state.area.isNone()
+        ? u"Its alpha is %1"_s.arg(state.alpha)
+        : u"Its alpha %1 times that area is %2"_s.arg(state.alpha).arg(state.blendedAlpha);
     return share
-        + QStringLiteral(": that many parts in 255 come from its own colour %1, the rest from the "
-                         "%2 already there.")
-              .arg(levelsText(state.source), levelsText(state.before));
+        + u": that many parts in 255 come from its own colour %1, the rest from the "
+          "%2 already there."_s.arg(levelsText(state.source), levelsText(state.before));
 }
 
 } // namespace
@@ -52,8 +49,8 @@ void tellShaded(StepWords &words, const ShadedSetUpState &state)
     if (state.zeroArea)
         words.sentence += segmentText(state.form, state.order);
     if (state.isDivided[indexOf(Channel::Reciprocal)])
-        words.sentence += QStringLiteral(" What the vertices carry is divided by w, because that "
-                                         "is what changes linearly in the frame.");
+        words.sentence += u" What the vertices carry is divided by w, because that "
+                          "is what changes linearly in the frame."_s;
 }
 
 void tellShaded(StepWords &words, const ShadedSpanState &state)
@@ -67,7 +64,7 @@ void tellShaded(StepWords &words, const ShadedSpanState &state)
                              "pixels: its edges are prolonged to it, and may have crossed.";
         return;
     }
-    words.heading = QStringLiteral("Column %1").arg(state.walk.column.x);
+    words.heading = u"Column %1"_s.arg(state.walk.column.x);
     words.sentence = "Only samples beside the centres of its pixels lie in the triangle: no bounds "
                      "are walked here.";
 }
@@ -76,13 +73,11 @@ void tellShaded(StepWords &words, const ShadedSampleState &state)
 {
     if (state.samples() > 0) {
         words.sentence = state.isWritten
-            ? QStringLiteral("An edge passes through the pixel: of its %1 samples this triangle "
-                             "wrote %2. The pixel is the mean of all of them.")
-                  .arg(state.samples())
+            ? u"An edge passes through the pixel: of its %1 samples this triangle "
+              "wrote %2. The pixel is the mean of all of them."_s.arg(state.samples())
                   .arg(sampleNumbersText(state.samplesWritten, state.samples()))
-            : QStringLiteral("Refused: at each of the pixel's %1 samples that the triangle covers "
-                             "it lies behind what stands there.")
-                  .arg(state.samples());
+            : u"Refused: at each of the pixel's %1 samples that the triangle covers "
+              "it lies behind what stands there."_s.arg(state.samples());
         return;
     }
     if (state.isBeyondHorizon) {
@@ -92,8 +87,7 @@ void tellShaded(StepWords &words, const ShadedSampleState &state)
     }
     QStringList sentences;
     if (state.isWritten && !state.area.isNone())
-        sentences.append(
-            QStringLiteral("The triangle covers %1 of the pixel's square.").arg(term(state.area)));
+        sentences.append(u"The triangle covers %1 of the pixel's square."_s.arg(term(state.area)));
     if (state.effects.depth != DepthTest::None)
         sentences.append(depthText(state));
     sentences.append(shareText(state));

@@ -17,10 +17,10 @@ QString weightsText(const EdgeTestForm &form)
     QStringList owners;
     for (std::size_t line = 0; line < 3; ++line) {
         const QString vertex = names.vertexName(edgeEndsOf(form, line).opposite);
-        owners.append(QStringLiteral("%1 of %2").arg(names.weight(line), vertex.section(u' ', -1)));
+        owners.append(u"%1 of %2"_s.arg(names.weight(line), vertex.section(u' ', -1)));
     }
     const QString last = owners.takeLast();
-    return owners.join(QStringLiteral(", ")) + QStringLiteral(" and ") + last;
+    return owners.join(u", "_s) + u" and "_s + last;
 }
 
 } // namespace
@@ -31,16 +31,16 @@ void tellBarycentric(StepWords &words, const EdgeTestSetUpState &state, const Ed
     QStringList vertices;
     for (std::size_t i = 0; i < 3; ++i)
         vertices.append(names.vertexName(i) + u' ' + pointText(state.vertices[i].position));
-    words.sentence = vertices.join(QStringLiteral(", ")) + u'.';
+    words.sentence = vertices.join(u", "_s) + u'.';
     if (!state.zeroArea)
-        words.sentence += QStringLiteral(" The weights are %1.").arg(weightsText(form));
+        words.sentence += u" The weights are %1."_s.arg(weightsText(form));
 }
 
 void tellBarycentric(StepWords &words, const EdgeTestSampleState &state, const EdgeTestForm &form)
 {
     if (state.isCovered && !state.ofSegment)
-        words.sentence = QStringLiteral("The weights %1 accept the sample: it is written.")
-                             .arg(weightsText(form));
+        words.sentence
+            = u"The weights %1 accept the sample: it is written."_s.arg(weightsText(form));
 }
 
 } // namespace pixelplumb

@@ -18,9 +18,9 @@ QString rounded(const QString &exactly, const QString &corner, BoxRounding round
     case BoxRounding::None:
         break;
     case BoxRounding::IntegerCentres:
-        return QStringLiteral("(int)(%1 %2)").arg(corner, half);
+        return u"(int)(%1 %2)"_s.arg(corner, half);
     case BoxRounding::HalfCentres:
-        return QStringLiteral("(int)(%1 + ½ %2)").arg(corner, half);
+        return u"(int)(%1 + ½ %2)"_s.arg(corner, half);
     }
     return exactly.arg(corner);
 }
@@ -28,26 +28,25 @@ QString rounded(const QString &exactly, const QString &corner, BoxRounding round
 /// Clips a sample to the frame by min or max.
 QString clipped(const QString &sample, const char *function, std::optional<std::int64_t> border)
 {
-    return border
-        ? QStringLiteral("%1(%2, %3)")
-              .arg(QLatin1String(function), sample, QString::number(*border).replace(u'-', u'−'))
-        : sample;
+    return border ? u"%1(%2, %3)"_s.arg(QLatin1String(function), sample,
+                                        QString::number(*border).replace(u'-', u'−'))
+                  : sample;
 }
 
 /// x_least or the like: `choice` is min or max.
 NumberRow<EdgeTestSetUpState> cornerRow(const EdgeTestNames &names, QChar axis, const char *choice)
 {
     const bool isLeast = QLatin1String(choice) == QLatin1String("min");
-    const QString title = axis + (isLeast ? QStringLiteral("_least") : QStringLiteral("_greatest"));
+    const QString title = axis + (isLeast ? u"_least"_s : u"_greatest"_s);
     QStringList of;
     for (std::size_t vertex = 0; vertex < 3; ++vertex)
         of.append(axis + names.vertex(vertex));
     return {plainNumber(title, title, "px",
-                        QStringLiteral("The %1 %2 of the vertices: a side of their box.")
-                            .arg(isLeast ? QStringLiteral("least") : QStringLiteral("greatest"))
+                        u"The %1 %2 of the vertices: a side of their box."_s
+                            .arg(isLeast ? u"least"_s : u"greatest"_s)
                             .arg(axis),
-                        QStringLiteral("%1 = %2(%3, %2(%4, %5))")
-                            .arg(title, QLatin1String(choice), of[0], of[1], of[2])),
+                        u"%1 = %2(%3, %2(%4, %5))"_s.arg(title, QLatin1String(choice), of[0], of[1],
+                                                         of[2])),
             // The box is made of the vertices' lattice units, in every arithmetic.
             [axis, isLeast](const EdgeTestSetUpState &state) {
                 std::array<Lattice, 3> units;
@@ -63,15 +62,14 @@ NumberRow<EdgeTestSetUpState> cornerRow(const EdgeTestNames &names, QChar axis, 
 
 QString firstInBoxFormula(QChar axis, const BoxExtent &extent)
 {
-    const QString sample = rounded("⌈%1⌉", axis + QStringLiteral("_least"), extent.rounding, "+ ½");
-    return axis + QStringLiteral("_min = ") + clipped(sample, "max", extent.firstClip());
+    const QString sample = rounded("⌈%1⌉", axis + u"_least"_s, extent.rounding, "+ ½");
+    return axis + u"_min = "_s + clipped(sample, "max", extent.firstClip());
 }
 
 QString lastInBoxFormula(QChar axis, const BoxExtent &extent)
 {
-    const QString sample
-        = rounded("⌊%1⌋", axis + QStringLiteral("_greatest"), extent.rounding, "− ½");
-    return axis + QStringLiteral("_max = ") + clipped(sample, "min", extent.lastClip());
+    const QString sample = rounded("⌊%1⌋", axis + u"_greatest"_s, extent.rounding, "− ½");
+    return axis + u"_max = "_s + clipped(sample, "min", extent.lastClip());
 }
 
 void appendBox(NumberTable<EdgeTestSetUpState> &table, const EdgeTestNames &names)
@@ -85,8 +83,8 @@ void appendBox(NumberTable<EdgeTestSetUpState> &table, const EdgeTestNames &name
     }
     // The samples along the loops are numbers of each span.
     const bool isRow = form.order == LoopOrder::RowByRow;
-    appendExtent(table, form, isRow ? u'y' : u'x',
-                 isRow ? QStringLiteral("row") : QStringLiteral("column"), NumberGroup::Position);
+    appendExtent(table, form, isRow ? u'y' : u'x', isRow ? u"row"_s : u"column"_s,
+                 NumberGroup::Position);
 }
 
 } // namespace pixelplumb

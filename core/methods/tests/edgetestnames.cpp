@@ -25,8 +25,7 @@ QString weightId(const EdgeTestForm &form, std::size_t line)
 QString lineId(const EdgeTestForm &form, std::size_t line)
 {
     constexpr std::array names = {"_bc", "_ca", "_ab"};
-    return form.isBarycentric() ? QString::fromLatin1(names[line])
-                                : QStringLiteral("_%1").arg(line);
+    return form.isBarycentric() ? QString::fromLatin1(names[line]) : u"_%1"_s.arg(line);
 }
 
 } // namespace
@@ -39,21 +38,20 @@ QString EdgeTestNames::vertex(std::size_t vertex) const
 QString EdgeTestNames::vertexId(std::size_t vertex) const
 {
     if (!m_form.isBarycentric())
-        return QStringLiteral("_%1").arg(vertex);
+        return u"_%1"_s.arg(vertex);
     const QChar first = m_form.inside == InsideTest::Cramer ? u'A' : u'a';
-    return QStringLiteral("_") + QChar(char16_t(first.unicode() + vertex));
+    return u"_"_s + QChar(char16_t(first.unicode() + vertex));
 }
 
 QString EdgeTestNames::vertexLetter(std::size_t vertex) const
 {
-    return m_form.isBarycentric() ? vertexId(vertex).sliced(1)
-                                  : QStringLiteral("P") + digits[vertex];
+    return m_form.isBarycentric() ? vertexId(vertex).sliced(1) : u"P"_s + digits[vertex];
 }
 
 QString EdgeTestNames::vertexName(std::size_t vertex) const
 {
     return m_form.isBarycentric()
-        ? QStringLiteral("%1 = P%2").arg(vertexLetter(vertex)).arg(QChar(digits[vertex]))
+        ? u"%1 = P%2"_s.arg(vertexLetter(vertex)).arg(QChar(digits[vertex]))
         : vertexLetter(vertex);
 }
 
@@ -65,26 +63,24 @@ QString EdgeTestNames::weight(std::size_t line) const
 QString EdgeTestNames::filled(QString text, std::size_t line) const
 {
     const EdgeEnds ends = edgeEndsOf(m_form, line);
-    text.replace(QStringLiteral("{edge}"), vertexLetter(ends.from) + vertexLetter(ends.to));
-    text.replace(QStringLiteral("{facing}"), vertexName(ends.opposite));
-    text.replace(QStringLiteral("{letter}"), vertexLetter(ends.opposite));
-    text.replace(QStringLiteral("{value}"),
-                 m_form.isBarycentric() ? QStringLiteral("f{l}") : QStringLiteral("E{l}"));
-    text.replace(QStringLiteral("{l}"),
+    text.replace(u"{edge}"_s, vertexLetter(ends.from) + vertexLetter(ends.to));
+    text.replace(u"{facing}"_s, vertexName(ends.opposite));
+    text.replace(u"{letter}"_s, vertexLetter(ends.opposite));
+    text.replace(u"{value}"_s, m_form.isBarycentric() ? u"f{l}"_s : u"E{l}"_s);
+    text.replace(u"{l}"_s,
                  m_form.isBarycentric() ? lineId(m_form, line) : QString(QChar(digits[line])));
-    text.replace(QStringLiteral("{w}"), weight(line));
-    text.replace(QStringLiteral("{from}"), vertex(ends.from));
-    text.replace(QStringLiteral("{to}"), vertex(ends.to));
-    return text.replace(QStringLiteral("{opp}"), vertex(ends.opposite));
+    text.replace(u"{w}"_s, weight(line));
+    text.replace(u"{from}"_s, vertex(ends.from));
+    text.replace(u"{to}"_s, vertex(ends.to));
+    return text.replace(u"{opp}"_s, vertex(ends.opposite));
 }
 
 QString EdgeTestNames::filledId(QString text, std::size_t line) const
 {
-    text.replace(QStringLiteral("{value}"),
-                 m_form.isBarycentric() ? QStringLiteral("f{l}") : QStringLiteral("E{l}"));
-    text.replace(QStringLiteral("{l}"), lineId(m_form, line));
-    text.replace(QStringLiteral("{opp}"), vertexId(edgeEndsOf(m_form, line).opposite));
-    return text.replace(QStringLiteral("{w}"), weightId(m_form, line));
+    text.replace(u"{value}"_s, m_form.isBarycentric() ? u"f{l}"_s : u"E{l}"_s);
+    text.replace(u"{l}"_s, lineId(m_form, line));
+    text.replace(u"{opp}"_s, vertexId(edgeEndsOf(m_form, line).opposite));
+    return text.replace(u"{w}"_s, weightId(m_form, line));
 }
 
 QString EdgeTestNames::lineAt(const QString &x, const QString &y) const
@@ -95,33 +91,32 @@ QString EdgeTestNames::lineAt(const QString &x, const QString &y) const
     case LineForm::CommonVertex:
         break;
     case LineForm::CanonicalEnd:
-        return QStringLiteral("a{l}·(%1 − u{l}) + b{l}·(%2 − v{l})").arg(x, y);
+        return u"a{l}·(%1 − u{l}) + b{l}·(%2 − v{l})"_s.arg(x, y);
     case LineForm::FirstEnd:
-        return QStringLiteral("a{l}·(%1 − x{from}) + b{l}·(%2 − y{from})").arg(x, y);
+        return u"a{l}·(%1 − x{from}) + b{l}·(%2 − y{from})"_s.arg(x, y);
     }
-    return QStringLiteral("a{l}·%1 + b{l}·%2 + c{l}").arg(x, y);
+    return u"a{l}·%1 + b{l}·%2 + c{l}"_s.arg(x, y);
 }
 
 QString EdgeTestNames::linesText() const
 {
     if (m_form.inside == InsideTest::Cramer)
-        return QStringLiteral("D ← x_AC·y_BC − x_BC·y_AC — the determinant");
-    const QString edges = m_form.isBarycentric() ? QStringLiteral("f_bc, f_ca, f_ab")
-                                                 : QStringLiteral("E₀, E₁, E₂");
+        return u"D ← x_AC·y_BC − x_BC·y_AC — the determinant"_s;
+    const QString edges = m_form.isBarycentric() ? u"f_bc, f_ca, f_ab"_s : u"E₀, E₁, E₂"_s;
     switch (m_form.line) {
     case LineForm::Absolute:
     case LineForm::CommonVertex:
         break;
     case LineForm::Solved:
         return edges
-            + QStringLiteral(": A and B solved from the two ends of the edge with C = −1, or with "
-                             "C = 0 where its line passes through (0, 0)");
+            + u": A and B solved from the two ends of the edge with C = −1, or with "
+              "C = 0 where its line passes through (0, 0)"_s;
     case LineForm::CanonicalEnd:
-        return edges + QStringLiteral(": a and b counted from the end that is smaller in (x, y)");
+        return edges + u": a and b counted from the end that is smaller in (x, y)"_s;
     case LineForm::FirstEnd:
-        return edges + QStringLiteral(": a and b counted from the first end of the edge");
+        return edges + u": a and b counted from the first end of the edge"_s;
     }
-    return edges + QStringLiteral(": a, b, c from the two ends of the edge");
+    return edges + u": a, b, c from the two ends of the edge"_s;
 }
 
 QString EdgeTestNames::weightFormula(std::size_t line) const
@@ -139,33 +134,32 @@ QString EdgeTestNames::weightFormula(std::size_t line) const
 QString EdgeTestNames::levelFormula() const
 {
     if (!m_form.isBarycentric())
-        return QStringLiteral("% = E₀/F₀·%₂ + E₁/F₁·%₀ + E₂/F₂·%₁");
+        return u"% = E₀/F₀·%₂ + E₁/F₁·%₀ + E₂/F₂·%₁"_s;
     if (m_form.inside == InsideTest::Cramer)
-        return QStringLiteral("% = u·%_A + v·%_B + w·%_C");
+        return u"% = u·%_A + v·%_B + w·%_C"_s;
     if (m_form.evaluation == Evaluation::Increments)
-        return QStringLiteral("% ← %′ + Δ%_y");
-    return QStringLiteral("% = α·%_a + β·%_b + γ·%_c");
+        return u"% ← %′ + Δ%_y"_s;
+    return u"% = α·%_a + β·%_b + γ·%_c"_s;
 }
 
 QString EdgeTestNames::tieText(FillRule rule) const
 {
-    return rule == FillRule::OffScreenPoint ? QStringLiteral("{value}({letter})·{value}(r) > 0")
-                                            : QStringLiteral("tie{l} = 1");
+    return rule == FillRule::OffScreenPoint ? u"{value}({letter})·{value}(r) > 0"_s
+                                            : u"tie{l} = 1"_s;
 }
 
 QString EdgeTestNames::cramerText(FillRule rule) const
 {
     if (rule == FillRule::Closed)
-        return QStringLiteral("if u ≥ 0 and v ≥ 0 and u + v ≤ 1:");
+        return u"if u ≥ 0 and v ≥ 0 and u + v ≤ 1:"_s;
     if (rule == FillRule::Open)
-        return QStringLiteral("if u > 0 and v > 0 and u + v < 1:");
+        return u"if u > 0 and v > 0 and u + v < 1:"_s;
     constexpr std::array inside
         = {u"u > 0, or u = 0", u"v > 0, or v = 0", u"u + v < 1, or u + v = 1"};
     QStringList tests;
     for (std::size_t line = 0; line < 3; ++line)
-        tests.append(QString::fromUtf16(inside[line]) + QStringLiteral(" and ")
-                     + filled(tieText(rule), line));
-    return QStringLiteral("if ") + tests.join(QStringLiteral("; ")) + u':';
+        tests.append(QString::fromUtf16(inside[line]) + u" and "_s + filled(tieText(rule), line));
+    return u"if "_s + tests.join(u"; "_s) + u':';
 }
 
 } // namespace pixelplumb

@@ -39,10 +39,10 @@ NumberRow<EdgeTestSampleState> segmentNumber()
                 const DegenerateSegment segment = segmentOf(state);
                 const LatticePoint first = segment.first().position;
                 const LatticePoint last = segment.last().position;
-                number.formula = QStringLiteral("d = ") + differenceText(last.x, first.x)
-                    + QStringLiteral("·(y − %1) − ").arg(operand(pixels(first.y)))
+                number.formula = u"d = "_s + differenceText(last.x, first.x)
+                    + u"·(y − %1) − "_s.arg(operand(pixels(first.y)))
                     + differenceText(last.y, first.y)
-                    + QStringLiteral("·(x − %1)").arg(operand(pixels(first.x)));
+                    + u"·(x − %1)"_s.arg(operand(pixels(first.x)));
             }};
 }
 
@@ -61,8 +61,7 @@ QString segmentFormula(const EdgeTestNames &names, const EdgeTestSampleState &sa
     const auto first = std::size_t(order[0]), last = std::size_t(order[2]);
     const LatticePoint &from = sample.vertices[first].position;
     const LatticePoint &to = sample.vertices[last].position;
-    QString formula = from == to ? QStringLiteral("% = %#")
-                                 : QStringLiteral("% = %# + (@ − @#)·(%& − %#)/(@& − @#)");
+    QString formula = from == to ? u"% = %#"_s : u"% = %# + (@ − @#)·(%& − %#)/(@& − @#)"_s;
     return formula.replace(u'@', from.x == to.x ? u'y' : u'x')
         .replace(u'#', names.vertex(first))
         .replace(u'&', names.vertex(last));
@@ -80,8 +79,7 @@ NumberTable<EdgeTestSpanState> edgeTestSpanNumbers(const EdgeTestForm &form)
     NumberTable<EdgeTestSpanState> table
         = {{triangleNumber(),
             [](const State &state) { return Quantity::integer(Int128(state.primitive)); }},
-           {plainNumber(across, across, "px",
-                        isRow ? QStringLiteral("The row.") : QStringLiteral("The column.")),
+           {plainNumber(across, across, "px", isRow ? u"The row."_s : u"The column."_s),
             [](const State &state) { return Quantity::integer(state.coordinate); }}};
     appendExtent(table, form, along, "sample", Group::Span);
     if (form.evaluation == Evaluation::EverySample)
@@ -142,7 +140,7 @@ NumberTable<EdgeTestSampleState> edgeTestSampleNumbers(const EdgeTestForm &form)
               .toolTip = names.filled("The edge function of {edge} at the sample.", line),
               .formula = hasIncrements
                   ? names.filled("E{l} ← E{l}′ + a{l}", line)
-                  : names.filled(QStringLiteral("{value} = ") + names.lineAt("x", "y"), line),
+                  : names.filled(u"{value} = "_s + names.lineAt("x", "y"), line),
               .startFormula = hasIncrements ? names.filled("E{l} ← e{l}", line) : QString(),
               .group = decides ? Group::Decision : Group::Span,
               .comparison = Comparison::WithExact},
@@ -172,7 +170,7 @@ NumberTable<EdgeTestSampleState> edgeTestSampleNumbers(const EdgeTestForm &form)
          .unit = "levels",
          .toolTip = "Level of % at the sample.",
          .formula = names.levelFormula(),
-         .startFormula = stepsColours ? QStringLiteral("% ← %_s") : QString(),
+         .startFormula = stepsColours ? u"% ← %_s"_s : QString(),
          .group = Group::FirstColour,
          .comparison = Comparison::WithExact},
         [](const State &state, std::size_t channel) { return state.colour[channel]; },

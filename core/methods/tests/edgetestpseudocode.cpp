@@ -63,8 +63,7 @@ private:
     QString alike(const QString &pattern, const QString &name) const
     {
         return m_names.filled(pattern, 0)
-            + QStringLiteral("; %1 and %2 likewise")
-                  .arg(m_names.filled(name, 1), m_names.filled(name, 2));
+            + u"; %1 and %2 likewise"_s.arg(m_names.filled(name, 1), m_names.filled(name, 2));
     }
     /// "E₀, E₁, E₂".
     QString three(const QString &pattern) const
@@ -72,7 +71,7 @@ private:
         QStringList each;
         for (std::size_t line = 0; line < 3; ++line)
             each.append(m_names.filled(pattern, line));
-        return each.join(QStringLiteral(", "));
+        return each.join(u", "_s);
     }
     /// The numbers that increments reach: "α, β, γ, R, G, B".
     QString stepped(const QString &weight, const QString &level) const
@@ -80,7 +79,7 @@ private:
         QStringList each = {three(weight)};
         for (const QChar channel : channelLetters)
             each.append(QString(level).replace(u'%', channel));
-        return each.join(QStringLiteral(", "));
+        return each.join(u", "_s);
     }
 
     void addSetUp()
@@ -122,15 +121,12 @@ private:
         for (const auto &[axis, coefficient] :
              {std::pair(QChar(u'x'), QChar(u'a')), std::pair(QChar(u'y'), QChar(u'b'))}) {
             addOfArea(0,
-                      QStringLiteral("Δα_%1 ← %2_bc/f_a; Δβ_%1 and Δγ_%1 likewise")
-                          .arg(axis)
-                          .arg(coefficient),
+                      u"Δα_%1 ← %2_bc/f_a; Δβ_%1 and Δγ_%1 likewise"_s.arg(axis).arg(coefficient),
                       {SetUp});
-            addOfArea(0,
-                      QStringLiteral(
-                          "ΔR_%1 ← Δα_%1·R_a + Δβ_%1·R_b + Δγ_%1·R_c; ΔG_%1 and ΔB_%1 likewise")
-                          .arg(axis),
-                      {SetUp});
+            addOfArea(
+                0,
+                u"ΔR_%1 ← Δα_%1·R_a + Δβ_%1·R_b + Δγ_%1·R_c; ΔG_%1 and ΔB_%1 likewise"_s.arg(axis),
+                {SetUp});
         }
     }
 
@@ -146,15 +142,14 @@ private:
     {
         const QString tie = "tie{l}";
         if (rule == FillRule::OffScreenPoint)
-            return alike(QStringLiteral("tie{l} ← 1 if %1, else 0").arg(m_names.tieText(rule)),
-                         tie);
-        return three(tie) + QStringLiteral(" ← ") + ownersText(rule);
+            return alike(u"tie{l} ← 1 if %1, else 0"_s.arg(m_names.tieText(rule)), tie);
+        return three(tie) + u" ← "_s + ownersText(rule);
     }
 
     void addLoops()
     {
-        add(0, QStringLiteral("for each %1 of the box:").arg(m_across), {Begin, Span});
-        add(1, QStringLiteral("for each %1 of the box:").arg(m_along), {First, Next, Refused});
+        add(0, u"for each %1 of the box:"_s.arg(m_across), {Begin, Span});
+        add(1, u"for each %1 of the box:"_s.arg(m_along), {First, Next, Refused});
         addValues();
         addTest();
         addOfArea(3, colourText(), {First, Next});
@@ -165,20 +160,18 @@ private:
     /// next line starts from them.
     void addIncrementalLoops()
     {
-        const QString start = isRowByRow() ? QStringLiteral("row") : QStringLiteral("column");
+        const QString start = isRowByRow() ? u"row"_s : u"column"_s;
         addStart();
-        add(0, QStringLiteral("for each %1 of the box:").arg(m_across), {Begin, Span});
-        addOfArea(1,
-                  QStringLiteral("%1 ← %2 — back at the %3's start").arg(walked(), kept(), start),
+        add(0, u"for each %1 of the box:"_s.arg(m_across), {Begin, Span});
+        addOfArea(1, u"%1 ← %2 — back at the %3's start"_s.arg(walked(), kept(), start),
                   {Begin, Span});
-        add(1, QStringLiteral("for each %1 of the box:").arg(m_along), {First, Next, Refused});
+        add(1, u"for each %1 of the box:"_s.arg(m_along), {First, Next, Refused});
         addTest();
         if (!m_form.isBarycentric())
             addOfArea(3, colourText(), {First, Next});
         addPixel();
-        addOfArea(2, QStringLiteral("add %1 to %2").arg(changes(m_along), walked()),
-                  {First, Next, Refused});
-        addOfArea(1, QStringLiteral("add %1 to %2").arg(changes(m_across), kept()), {Span});
+        addOfArea(2, u"add %1 to %2"_s.arg(changes(m_along), walked()), {First, Next, Refused});
+        addOfArea(1, u"add %1 to %2"_s.arg(changes(m_across), kept()), {Span});
     }
 
     QString walked() const { return m_form.isBarycentric() ? stepped("{w}", "%") : three("E{l}"); }
@@ -190,8 +183,8 @@ private:
     QString changes(const QString &axis) const
     {
         if (m_form.isBarycentric())
-            return stepped(QStringLiteral("Δ{w}_") + axis, QStringLiteral("Δ%_") + axis);
-        return three(axis == QStringLiteral("x") ? QStringLiteral("a{l}") : QStringLiteral("b{l}"));
+            return stepped(u"Δ{w}_"_s + axis, u"Δ%_"_s + axis);
+        return three(axis == u"x"_s ? u"a{l}"_s : u"b{l}"_s);
     }
 
     /// Evaluates at the box's first sample.
@@ -199,10 +192,10 @@ private:
     {
         const QString value = m_names.lineAt("x_min", "y_min");
         if (!m_form.isBarycentric()) {
-            addOfArea(0, alike(QStringLiteral("e{l} ← ") + value, "e{l}"), {Begin});
+            addOfArea(0, alike(u"e{l} ← "_s + value, "e{l}"), {Begin});
             return;
         }
-        addOfArea(0, alike(QStringLiteral("{w}_s ← (%1)/f{opp}").arg(value), "{w}_s"), {Begin});
+        addOfArea(0, alike(u"{w}_s ← (%1)/f{opp}"_s.arg(value), "{w}_s"), {Begin});
         addOfArea(0, "R_s ← α_s·R_a + β_s·R_b + γ_s·R_c; G_s and B_s likewise", {Begin});
     }
 
@@ -211,14 +204,11 @@ private:
         const std::vector<Moment> samples = {First, Next, Refused};
         if (m_form.inside == InsideTest::Cramer) {
             for (std::size_t line = 0; line < 3; ++line)
-                addOfArea(2,
-                          m_names.weightFormula(line).replace(QStringLiteral(" = "),
-                                                              QStringLiteral(" ← ")),
-                          samples);
+                addOfArea(2, m_names.weightFormula(line).replace(u" = "_s, u" ← "_s), samples);
             return;
         }
         const QString value = m_names.lineAt("x", "y");
-        addOfArea(2, alike(QStringLiteral("{value} ← ") + value, "{value}"), samples);
+        addOfArea(2, alike(u"{value} ← "_s + value, "{value}"), samples);
         if (m_form.isBarycentric())
             addOfArea(2, alike("{w} ← {value}/f{opp}", "{w}"), samples);
     }
@@ -248,10 +238,8 @@ private:
 
     QString colourText() const
     {
-        return m_names.levelFormula()
-                   .replace(u'%', u'R')
-                   .replace(QStringLiteral(" = "), QStringLiteral(" ← "))
-            + QStringLiteral("; G and B likewise");
+        return m_names.levelFormula().replace(u'%', u'R').replace(u" = "_s, u" ← "_s)
+            + u"; G and B likewise"_s;
     }
 
     QString testText(FillRule rule) const
@@ -260,16 +248,14 @@ private:
         if (m_form.inside == InsideTest::Cramer)
             return m_names.cramerText(rule);
         const bool isBounded = m_form.inside == InsideTest::UnitInterval;
-        const QString name
-            = m_form.inside == InsideTest::Signs ? QStringLiteral("E{l}") : QStringLiteral("{w}");
+        const QString name = m_form.inside == InsideTest::Signs ? u"E{l}"_s : u"{w}"_s;
         const bool takesZero = rule == FillRule::Closed;
-        QString within = name + (takesZero ? QStringLiteral(" ≥ 0") : QStringLiteral(" > 0"));
+        QString within = name + (takesZero ? u" ≥ 0"_s : u" > 0"_s);
         if (isBounded)
-            within = (takesZero ? QStringLiteral("0 ≤ ") : QStringLiteral("0 < ")) + name
-                + QStringLiteral(" ≤ 1");
+            within = (takesZero ? u"0 ≤ "_s : u"0 < "_s) + name + u" ≤ 1"_s;
         if (decidesTies)
-            within += QStringLiteral(", or %1 = 0 and %2").arg(name, m_names.tieText(rule));
-        return QStringLiteral("if ") + alike(within, name) + u':';
+            within += u", or %1 = 0 and %2"_s.arg(name, m_names.tieText(rule));
+        return u"if "_s + alike(within, name) + u':';
     }
 
     EdgeTestForm m_form;

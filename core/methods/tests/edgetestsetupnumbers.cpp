@@ -20,8 +20,7 @@ void appendVertices(NumberTable<EdgeTestSetUpState> &table, const EdgeTestNames 
             table.push_back(
                 {plainNumber(QChar(axis) + names.vertexId(vertex),
                              QChar(axis) + names.vertex(vertex), "px",
-                             QStringLiteral("%1 of vertex %2, from the centre of pixel (0, 0).")
-                                 .arg(QChar(axis))
+                             u"%1 of vertex %2, from the centre of pixel (0, 0)."_s.arg(QChar(axis))
                                  .arg(names.vertexName(vertex))),
                  [vertex, coordinate = coordinate](const EdgeTestSetUpState &state) {
                      return (state.*coordinate)[vertex];
@@ -35,7 +34,7 @@ void appendColours(NumberTable<EdgeTestSetUpState> &table, const EdgeTestNames &
         appendChannels(
             table,
             plainNumber(u'%' + names.vertexId(vertex), u'%' + names.vertex(vertex), "levels",
-                        QStringLiteral("Level of % at vertex ") + names.vertexName(vertex) + u'.'),
+                        u"Level of % at vertex "_s + names.vertexName(vertex) + u'.'),
             [vertex](const EdgeTestSetUpState &state, std::size_t channel) {
                 return Quantity::integer(state.vertices[vertex].colour.channels[channel]);
             });
@@ -47,8 +46,8 @@ void specifyThroughOrigin(NumberDescription &number, const QString &divisor)
     if (!number.formula.contains(divisor))
         return;
     number.formula.remove(divisor);
-    number.toolTip += QStringLiteral(" The line passes through (0, 0), the determinant is 0: c = 0 "
-                                     "is chosen, and nothing is divided.");
+    number.toolTip += u" The line passes through (0, 0), the determinant is 0: c = 0 "
+                      "is chosen, and nothing is divided."_s;
 }
 
 /// A, B, C of one edge, as the form computes them, and its value at the vertex that faces it.
@@ -73,7 +72,7 @@ void appendLine(NumberTable<EdgeTestSetUpState> &table, const EdgeTestNames &nam
     const auto scaled = [&](const QString &difference) {
         if (form.isBarycentric())
             return difference;
-        const QString flipped = QStringLiteral("s{l}·(%1)").arg(difference);
+        const QString flipped = u"s{l}·(%1)"_s.arg(difference);
         return form.line == LineForm::Solved ? flipped + divisor : flipped;
     };
     if (form.line == LineForm::Solved)
@@ -91,44 +90,41 @@ void appendLine(NumberTable<EdgeTestSetUpState> &table, const EdgeTestNames &nam
         const auto unflipped = [&](const QString &difference) {
             return u'(' + difference + u')' + (form.line == LineForm::Solved ? divisor : QString());
         };
-        const QString side
-            = names.lineAt("x{opp}", "y{opp}")
-                  .replace(QStringLiteral("a{l}"), unflipped("y{to} − y{from}"))
-                  .replace(QStringLiteral("b{l}"), unflipped("x{from} − x{to}"))
-                  .replace(QStringLiteral("c{l}"), unflipped("x{to}·y{from} − x{from}·y{to}"));
+        const QString side = names.lineAt("x{opp}", "y{opp}")
+                                 .replace(u"a{l}"_s, unflipped("y{to} − y{from}"))
+                                 .replace(u"b{l}"_s, unflipped("x{from} − x{to}"))
+                                 .replace(u"c{l}"_s, unflipped("x{to}·y{from} − x{from}·y{to}"));
         add(u"sidedness{l}",
             u"The edge function of {edge} at vertex {facing}, which faces it: below 0 the sides "
             u"are "
             u"to be exchanged.",
-            QStringLiteral("sidedness{l} = ") + side, &EdgeTestLineState::sidedness);
+            u"sidedness{l} = "_s + side, &EdgeTestLineState::sidedness);
         add(u"s{l}", u"−1 where the sides of edge {edge} were exchanged to be positive inside.",
             "s{l} = −1 if sidedness{l} < 0, else 1", &EdgeTestLineState::sign);
     }
     add(u"a{l}", u"Change of the edge function of {edge} for each step of x.",
-        QStringLiteral("a{l} = ") + scaled("y{to} − y{from}"), &EdgeTestLineState::a);
+        u"a{l} = "_s + scaled("y{to} − y{from}"), &EdgeTestLineState::a);
     add(u"b{l}", u"Change of the edge function of {edge} for each step of y.",
-        QStringLiteral("b{l} = ") + scaled("x{from} − x{to}"), &EdgeTestLineState::b);
+        u"b{l} = "_s + scaled("x{from} − x{to}"), &EdgeTestLineState::b);
     if (form.line == LineForm::Absolute || form.line == LineForm::Solved)
         add(u"c{l}", u"The edge function of {edge} at (0, 0).",
-            QStringLiteral("c{l} = ") + scaled("x{to}·y{from} − x{from}·y{to}"),
-            &EdgeTestLineState::c);
+            u"c{l} = "_s + scaled("x{to}·y{from} − x{from}·y{to}"), &EdgeTestLineState::c);
     const QString atOpposite = names.lineAt("x{opp}", "y{opp}");
     if (form.isBarycentric())
         add(u"f{opp}", u"The edge function of {edge} at vertex {facing}, which faces it.",
-            QStringLiteral("f{opp} = ") + atOpposite, &EdgeTestLineState::atOpposite);
+            u"f{opp} = "_s + atOpposite, &EdgeTestLineState::atOpposite);
     else
         add(u"F{l}", u"The edge function of {edge} at vertex {facing}, which faces it.",
-            QStringLiteral("F{l} = ") + atOpposite, &EdgeTestLineState::atOpposite);
+            u"F{l} = "_s + atOpposite, &EdgeTestLineState::atOpposite);
 }
 
 void appendCramer(NumberTable<EdgeTestSetUpState> &table)
 {
     const auto append = [&table](QChar axis, QChar vertex, Quantity EdgeTestSetUpState::*member) {
-        const QString name = QStringLiteral("%1_%2C").arg(axis).arg(vertex);
-        table.push_back(
-            {plainNumber(name, name, "px", QStringLiteral("%1 of %2 − C.").arg(axis).arg(vertex),
-                         QStringLiteral("%1 = %2_%3 − %2_C").arg(name).arg(axis).arg(vertex)),
-             std::mem_fn(member)});
+        const QString name = u"%1_%2C"_s.arg(axis).arg(vertex);
+        table.push_back({plainNumber(name, name, "px", u"%1 of %2 − C."_s.arg(axis).arg(vertex),
+                                     u"%1 = %2_%3 − %2_C"_s.arg(name).arg(axis).arg(vertex)),
+                         std::mem_fn(member)});
     };
     append(u'x', u'A', &EdgeTestSetUpState::xAC);
     append(u'y', u'A', &EdgeTestSetUpState::yAC);
@@ -153,24 +149,22 @@ void appendRates(NumberTable<EdgeTestSetUpState> &table, const EdgeTestNames &na
                      names.filled("Δ{w}_", line) + QChar(axis), {},
                      names.filled("Change of the weight of vertex {facing} for each step of ", line)
                          + QChar(axis) + u'.',
-                     names.filled(
-                         QStringLiteral("Δ{w}_%1 = %2{l}/f{opp}").arg(QChar(axis)).arg(coefficient),
-                         line)),
+                     names.filled(u"Δ{w}_%1 = %2{l}/f{opp}"_s.arg(QChar(axis)).arg(coefficient),
+                                  line)),
                  [line, rates](const EdgeTestSetUpState &state) { return (state.*rates)[line]; }});
         }
     }
     for (const QChar axis : {u'x', u'y'}) {
         const auto rates
             = axis == u'x' ? &EdgeTestSetUpState::colourPerX : &EdgeTestSetUpState::colourPerY;
-        appendChannels(table,
-                       comparedNumber(QStringLiteral("delta_%_") + axis,
-                                      QStringLiteral("Δ%_") + axis, "levels/px",
-                                      QStringLiteral("Change of % for each step of ") + axis + u'.',
-                                      QStringLiteral("Δ%_{} = Δα_{}·%_a + Δβ_{}·%_b + Δγ_{}·%_c")
-                                          .replace(QStringLiteral("{}"), axis)),
-                       [rates](const EdgeTestSetUpState &state, std::size_t channel) {
-                           return (state.*rates)[channel];
-                       });
+        appendChannels(
+            table,
+            comparedNumber(u"delta_%_"_s + axis, u"Δ%_"_s + axis, "levels/px",
+                           u"Change of % for each step of "_s + axis + u'.',
+                           u"Δ%_{} = Δα_{}·%_a + Δβ_{}·%_b + Δγ_{}·%_c"_s.replace(u"{}"_s, axis)),
+            [rates](const EdgeTestSetUpState &state, std::size_t channel) {
+                return (state.*rates)[channel];
+            });
     }
 }
 

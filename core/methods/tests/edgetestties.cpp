@@ -22,25 +22,21 @@ QString productTitle(const EdgeTestNames &names, std::size_t line)
 /// or from the edge's first end if C is not an end of it.
 QString valueFormula(const EdgeTestNames &names, std::size_t line, const QString &point)
 {
-    const QString x = QStringLiteral("x") + point;
-    const QString y = QStringLiteral("y") + point;
+    const QString x = u"x"_s + point;
+    const QString y = u"y"_s + point;
     if (names.form().inside != InsideTest::Cramer)
         return names.filled(names.lineAt(x, y), line);
     const bool hasC = line != 2;
-    const QString origin = hasC ? QStringLiteral("_C") : QStringLiteral("{from}");
+    const QString origin = hasC ? u"_C"_s : u"{from}"_s;
     return names.filled(
-        QStringLiteral("(y{to} − y{from})·(%1 − x%3) + (x{from} − x{to})·(%2 − y%3)")
-            .arg(x, y, origin),
-        line);
+        u"(y{to} − y{from})·(%1 − x%3) + (x{from} − x{to})·(%2 − y%3)"_s.arg(x, y, origin), line);
 }
 
 NumberRow<State> pointNumber(QChar axis, Quantity State::*coordinate)
 {
-    return {
-        plainNumber(
-            axis + QStringLiteral("_r"), axis + QStringLiteral("_r"), "px",
-            axis + QStringLiteral(" of the off-screen point r, from the centre of pixel (0, 0).")),
-        std::mem_fn(coordinate)};
+    return {plainNumber(axis + u"_r"_s, axis + u"_r"_s, "px",
+                        axis + u" of the off-screen point r, from the centre of pixel (0, 0)."_s),
+            std::mem_fn(coordinate)};
 }
 
 /// How the off-screen-point rule finds on which side of an edge r lies.
@@ -56,7 +52,7 @@ void appendSides(NumberTable<State> &table, const EdgeTestNames &names, std::siz
             {comparedNumber(
                  names.filledId("f{opp}", line), atFacing, square,
                  filled(u"The edge function of {edge} at vertex {facing}, which faces it."),
-                 atFacing + QStringLiteral(" = ")
+                 atFacing + u" = "_s
                      + valueFormula(names, line,
                                     names.vertex(edgeEndsOf(names.form(), line).opposite))),
              [line](const State &state) {
@@ -67,14 +63,14 @@ void appendSides(NumberTable<State> &table, const EdgeTestNames &names, std::siz
     table.push_back(
         {comparedNumber(names.filledId("{value}_r", line), atPoint, square,
                         filled(u"The edge function of {edge} at the off-screen point r."),
-                        atPoint + QStringLiteral(" = ") + valueFormula(names, line, "_r")),
+                        atPoint + u" = "_s + valueFormula(names, line, "_r")),
          [line](const State &state) { return state.lines[line].atRulesPoint; }});
     table.push_back(
         {comparedNumber(
              names.filledId("tie_product{l}", line), productTitle(names, line), {},
              filled(u"Above 0 where {facing} and r lie on the same side of edge {edge}: it "
                     u"owns a sample exactly on the edge."),
-             productTitle(names, line) + QStringLiteral(" = ") + atFacing + u'·' + atPoint),
+             productTitle(names, line) + u" = "_s + atFacing + u'·' + atPoint),
          [line](const State &state) { return state.lines[line].tieProduct; }});
 }
 
@@ -92,18 +88,16 @@ QString displacedCondition(const EdgeTestNames &names, std::size_t line, const S
         return {};
     // The rule top-left goes down on the screen where an edge is level.
     const bool isNegative = isTopLeft && isByY && state.down < 0;
-    const QString coefficient = isByY ? QStringLiteral("b{l}") : QStringLiteral("a{l}");
-    const QString decided
-        = names.form().isBarycentric() ? QStringLiteral("f{opp}·") + coefficient : coefficient;
-    return names.filled(decided, line)
-        + (isNegative ? QStringLiteral(" < 0") : QStringLiteral(" > 0"));
+    const QString coefficient = isByY ? u"b{l}"_s : u"a{l}"_s;
+    const QString decided = names.form().isBarycentric() ? u"f{opp}·"_s + coefficient : coefficient;
+    return names.filled(decided, line) + (isNegative ? u" < 0"_s : u" > 0"_s);
 }
 
 QString condition(const EdgeTestNames &names, std::size_t line, const State &state)
 {
     switch (state.rule) {
     case FillRule::OffScreenPoint:
-        return productTitle(names, line) + QStringLiteral(" > 0");
+        return productTitle(names, line) + u" > 0"_s;
     case FillRule::HalfOpenColumn:
     case FillRule::TopLeft:
         return displacedCondition(names, line, state);
@@ -120,14 +114,14 @@ QString ownersText(FillRule rule)
 {
     switch (rule) {
     case FillRule::Closed:
-        return QStringLiteral("1 — every edge owns the samples on it");
+        return u"1 — every edge owns the samples on it"_s;
     case FillRule::Open:
-        return QStringLiteral("0 — no edge owns the samples on it");
+        return u"0 — no edge owns the samples on it"_s;
     case FillRule::TopLeft:
-        return QStringLiteral("1 of a left edge and of a level one at the top, else 0");
+        return u"1 of a left edge and of a level one at the top, else 0"_s;
     case FillRule::HalfOpenColumn:
-        return QStringLiteral("1 of an edge with the triangle at larger y, and of an upright one "
-                              "with it at larger x; else 0");
+        return u"1 of an edge with the triangle at larger y, and of an upright one "
+               "with it at larger x; else 0"_s;
     case FillRule::OffScreenPoint:
         break;
     }
@@ -150,8 +144,7 @@ void appendTies(NumberTable<State> &table, const EdgeTestNames &names)
              [names, line](NumberDescription &number, const State &state) {
                  const QString decides = state.zeroArea ? QString() : condition(names, line, state);
                  if (!decides.isEmpty())
-                     number.formula
-                         = QStringLiteral("%1 = 1 if %2, else 0").arg(number.title, decides);
+                     number.formula = u"%1 = 1 if %2, else 0"_s.arg(number.title, decides);
              }});
 }
 

@@ -16,22 +16,17 @@ void appendBoundColours(NumberTable<EdgeWalkSpanState> &table, const EdgeWalkNam
 {
     const bool isLower = bound == SpanBound::Lower;
     const bool isDirect = names.form().walk == WalkForm::Direct;
-    const QString title
-        = u'%' + names.filled(isLower ? QStringLiteral("_{lo}") : QStringLiteral("_{hi}"));
-    const QString word = isLower ? QStringLiteral("{lower}") : QStringLiteral("{upper}");
-    const QString fromVertex = title
-        + (names.isRow() ? QStringLiteral(" ← %_v + (y_v − y)·δ%")
-                         : QStringLiteral(" ← %_v + (x − x_v)·δ%"));
+    const QString title = u'%' + names.filled(isLower ? u"_{lo}"_s : u"_{hi}"_s);
+    const QString word = isLower ? u"{lower}"_s : u"{upper}"_s;
+    const QString fromVertex
+        = title + (names.isRow() ? u" ← %_v + (y_v − y)·δ%"_s : u" ← %_v + (x − x_v)·δ%"_s);
     appendChannels(
         table,
         names.filled({.id = title,
                       .title = title,
                       .unit = "levels",
-                      .toolTip = QStringLiteral("Level of % where the ") + word
-                          + QStringLiteral(" edge meets the {span}."),
-                      .formula = isDirect
-                          ? fromVertex
-                          : title + QStringLiteral(" ← ") + title + QStringLiteral("′ + δ%"),
+                      .toolTip = u"Level of % where the "_s + word + u" edge meets the {span}."_s,
+                      .formula = isDirect ? fromVertex : title + u" ← "_s + title + u"′ + δ%"_s,
                       .startFormula = isDirect ? QString() : fromVertex,
                       .group = Group::EdgeColours,
                       .comparison = Comparison::WithExact}),
@@ -39,10 +34,9 @@ void appendBoundColours(NumberTable<EdgeWalkSpanState> &table, const EdgeWalkNam
             return isLower ? state.column.colourBottom[channel] : state.column.colourTop[channel];
         },
         [=](NumberDescription &description, const EdgeWalkSpanState &state) {
-            description.toolTip = QStringLiteral("Level of % where ")
+            description.toolTip = u"Level of % where "_s
                 + nameOf(isLower ? state.lower : state.upper)
-                + names.filled(QStringLiteral(", the ") + word
-                               + QStringLiteral(" edge here, meets the {span}."));
+                + names.filled(u", the "_s + word + u" edge here, meets the {span}."_s);
             description.formula = names.boundFormula(state, bound, title, "%", "δ%");
             description.startFormula.clear();
         });
@@ -70,7 +64,7 @@ void specifyRate(const EdgeWalkNames &names, NumberDescription &description,
                  const EdgeWalkSpanState &state)
 {
     if (isPlanesRate(names, state.start)) {
-        description.formula = QStringLiteral("Δ% = ") + planeRate(names);
+        description.formula = u"Δ% = "_s + planeRate(names);
         description.toolTip = "Change of % along the {span}, the plane's, the same in all of them.";
     } else if (state.start.isPoint) {
         description.formula.clear();
@@ -91,22 +85,20 @@ bool isDirect(const EdgeWalkNames &names, const EdgeWalkStart &start)
 /// The level at @ on the span.
 QString directLevel(const EdgeWalkStart &start)
 {
-    return start.hasPlane ? QStringLiteral("%₀ + ") + planeSlope(u'x', "A")
-            + QStringLiteral("·(x − x₀) + Δ%·(@ − y₀)")
-                          : QStringLiteral("%₀ + (@ − y₀)·Δ%");
+    return start.hasPlane ? u"%₀ + "_s + planeSlope(u'x', "A") + u"·(x − x₀) + Δ%·(@ − y₀)"_s
+                          : u"%₀ + (@ − y₀)·Δ%"_s;
 }
 
 /// What the levels of a span start from.
 QString startFormula(const EdgeWalkNames &names, const EdgeWalkStart &start, const QString &title)
 {
     const QString covered = names.coveredSample(SpanBound::Lower, start.covered);
-    const QString first = start.isClipped ? QStringLiteral("{a}_start") : covered;
+    const QString first = start.isClipped ? u"{a}_start"_s : covered;
     QString formula = "%_{lo} + (@ − {a}_{lo})·Δ%";
     if (!start.hasPreStep)
-        formula = start.isClipped && hasRate(names, start)
-            ? QStringLiteral("%_{lo} + ({a}_start − %1)·Δ%")
-                  .arg(covered.endsWith(u'1') ? u'(' + covered + u')' : covered)
-            : QStringLiteral("%_{lo}");
+        formula = start.isClipped && hasRate(names, start) ? u"%_{lo} + ({a}_start − %1)·Δ%"_s.arg(
+                      covered.endsWith(u'1') ? u'(' + covered + u')' : covered)
+                                                           : u"%_{lo}"_s;
     else if (isDirect(names, start))
         formula = directLevel(start);
     else if (!hasRate(names, start))
@@ -118,12 +110,12 @@ QString startFormula(const EdgeWalkNames &names, const EdgeWalkStart &start, con
 QString colourBias(const EdgeWalkSampleState &state)
 {
     if (state.bias.toDouble() == 0)
-        return QStringLiteral("0");
+        return u"0"_s;
     if (state.start.hasPlane)
-        return QStringLiteral("1/(4·max(A, −A)·256²)");
-    return state.start.isVertical ? QStringLiteral("1/(4·256·(y₂ − y₀))")
-        : state.start.isOnePoint  ? QStringLiteral("1/4")
-                                  : QStringLiteral("1/(4·256·(x₂ − x₀))");
+        return u"1/(4·max(A, −A)·256²)"_s;
+    return state.start.isVertical ? u"1/(4·256·(y₂ − y₀))"_s
+        : state.start.isOnePoint  ? u"1/4"_s
+                                  : u"1/(4·256·(x₂ − x₀))"_s;
 }
 
 void appendRamp(NumberTable<EdgeWalkSpanState> &table, const EdgeWalkNames &names)
@@ -133,9 +125,8 @@ void appendRamp(NumberTable<EdgeWalkSpanState> &table, const EdgeWalkNames &name
         table,
         names.filled(comparedNumber(
             "delta_%", "Δ%", "levels/{across}", "Change of % from sample to sample of the {span}.",
-            QStringLiteral("Δ% = ")
-                + (isPlanes ? planeRate(names)
-                            : QStringLiteral("(%_{hi} − %_{lo})/({a}_{hi} − {a}_{lo})")),
+            u"Δ% = "_s
+                + (isPlanes ? planeRate(names) : u"(%_{hi} − %_{lo})/({a}_{hi} − {a}_{lo})"_s),
             Group::ColourRates)),
         [names](const EdgeWalkSpanState &state, std::size_t channel) {
             return hasRate(names, state.start) ? state.column.colourRate[channel] : Quantity();
@@ -143,7 +134,7 @@ void appendRamp(NumberTable<EdgeWalkSpanState> &table, const EdgeWalkNames &name
         [=](NumberDescription &description, const EdgeWalkSpanState &state) {
             specifyRate(names, description, state);
         });
-    const auto title = QStringLiteral("first % = ");
+    const auto title = u"first % = "_s;
     appendChannels(
         table,
         names.filled(comparedNumber(
@@ -171,7 +162,7 @@ NumberTable<EdgeWalkSampleState> edgeWalkSampleNumbers(const EdgeWalkForm &form)
 {
     const EdgeWalkNames names(form);
     NumberTable<EdgeWalkSampleState> table;
-    const auto title = QStringLiteral("% ← ");
+    const auto title = u"% ← "_s;
     appendChannels(
         table,
         {.id = "%",
@@ -187,8 +178,8 @@ NumberTable<EdgeWalkSampleState> edgeWalkSampleNumbers(const EdgeWalkForm &form)
             if (state.isFirst)
                 description.formula = startFormula(names, state.start, title);
             else if (isDirect(names, state.start))
-                description.formula = names.filled(
-                    title + directLevel(state.start).replace(u'@', QStringLiteral("y")));
+                description.formula
+                    = names.filled(title + directLevel(state.start).replace(u'@', u"y"_s));
             description.startFormula.clear();
         });
     if (form.walk == WalkForm::Direct)
@@ -199,8 +190,7 @@ NumberTable<EdgeWalkSampleState> edgeWalkSampleNumbers(const EdgeWalkForm &form)
                          {}, Group::FirstColour),
              [](const EdgeWalkSampleState &state) { return state.bias; },
              [](NumberDescription &description, const EdgeWalkSampleState &state) {
-                 description.formula
-                     = colourBiasTitle() + QStringLiteral(" = ") + colourBias(state);
+                 description.formula = colourBiasTitle() + u" = "_s + colourBias(state);
              }});
     return table;
 }

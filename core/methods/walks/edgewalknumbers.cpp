@@ -28,9 +28,8 @@ void appendPlace(NumberTable<EdgeWalkSpanState> &table, const EdgeWalkNames &nam
                      [](const EdgeWalkSpanState &state) { return state.halfNumber(); },
                      [](NumberDescription &description, const EdgeWalkSpanState &state) {
                          description.toolTip = state.start.hasPlane
-                             ? QStringLiteral("Between %1 and %2.")
-                                   .arg(nameOf(state.lower), nameOf(state.upper))
-                             : QStringLiteral("Along L₀₂: the triangle has no area.");
+                             ? u"Between %1 and %2."_s.arg(nameOf(state.lower), nameOf(state.upper))
+                             : u"Along L₀₂: the triangle has no area."_s;
                      }});
 }
 
@@ -39,18 +38,16 @@ void appendBound(NumberTable<EdgeWalkSpanState> &table, const EdgeWalkNames &nam
 {
     const bool isLower = bound == SpanBound::Lower;
     const bool isDirect = names.form().walk == WalkForm::Direct;
-    const QString title
-        = names.filled(isLower ? QStringLiteral("{a}_{lo}") : QStringLiteral("{a}_{hi}"));
-    const QString word = isLower ? QStringLiteral("{lower}") : QStringLiteral("{upper}");
+    const QString title = names.filled(isLower ? u"{a}_{lo}"_s : u"{a}_{hi}"_s);
+    const QString word = isLower ? u"{lower}"_s : u"{upper}"_s;
     const QString fromVertex = names.filled(
-        title + QStringLiteral(" ← {a}_v + ")
-        + (names.isRow() ? QStringLiteral("(y_v − y)·m") : QStringLiteral("(x − x_v)·m")));
+        title + u" ← {a}_v + "_s + (names.isRow() ? u"(y_v − y)·m"_s : u"(x − x_v)·m"_s));
     table.push_back(
         {names.filled({.id = title,
                        .title = title,
                        .unit = "px",
-                       .toolTip = QStringLiteral("Where the %1 edge meets the {span}.").arg(word),
-                       .formula = isDirect ? fromVertex : QStringLiteral("%1 ← %1′ + m").arg(title),
+                       .toolTip = u"Where the %1 edge meets the {span}."_s.arg(word),
+                       .formula = isDirect ? fromVertex : u"%1 ← %1′ + m"_s.arg(title),
                        .startFormula = isDirect ? QString() : fromVertex,
                        .group = Group::Span,
                        .comparison = Comparison::WithExact,
@@ -73,17 +70,16 @@ void appendCoveredSample(NumberTable<EdgeWalkSpanState> &table, const EdgeWalkNa
                          SpanBound bound)
 {
     const bool isLower = bound == SpanBound::Lower;
-    const QString word = isLower ? QStringLiteral("first") : QStringLiteral("last");
+    const QString word = isLower ? u"first"_s : u"last"_s;
     const auto specify = [=](NumberDescription &description, Interval covered) {
         description.title = names.coveredSample(bound, covered);
-        description.formula
-            = names.filled(word + QStringLiteral(" {across} = ")) + description.title;
+        description.formula = names.filled(word + u" {across} = "_s) + description.title;
     };
     NumberDescription description
-        = names.filled({.id = word + QStringLiteral("_{across}"),
+        = names.filled({.id = word + u"_{across}"_s,
                         .title = {},
                         .unit = "px",
-                        .toolTip = QStringLiteral("The %1 covered {across}.").arg(word),
+                        .toolTip = u"The %1 covered {across}."_s.arg(word),
                         .group = Group::Span,
                         .comparison = Comparison::WithExact,
                         .subject = isLower ? NumberSubject::LowerEdge : NumberSubject::UpperEdge});
@@ -132,30 +128,30 @@ void appendStart(NumberTable<EdgeWalkSpanState> &table, const EdgeWalkNames &nam
 QString boundBias(const EdgeWalkNames &names, const EdgeWalkSpanState &state, SpanBound bound)
 {
     if ((bound == SpanBound::Lower ? state.biasBottom : state.biasTop).toDouble() == 0)
-        return QStringLiteral("0");
+        return u"0"_s;
     const SortedEdge edge = bound == SpanBound::Lower ? state.lower : state.upper;
     if (names.hasNoSlope(state.corners, edge))
-        return QStringLiteral("1/(2·256)");
+        return u"1/(2·256)"_s;
     const auto &ends = sortedEdgeEnds[std::size_t(edge)];
-    return QStringLiteral("1/(2·%1·256²)").arg(names.way(ends[0], ends[1]));
+    return u"1/(2·%1·256²)"_s.arg(names.way(ends[0], ends[1]));
 }
 
 void appendBiases(NumberTable<EdgeWalkSpanState> &table, const EdgeWalkNames &names)
 {
     for (const bool isLower : {true, false})
         table.push_back(
-            {names.filled(plainNumber(
-                 isLower ? QStringLiteral("bias_{lo}") : QStringLiteral("bias_{hi}"),
-                 isLower ? QStringLiteral("β_{lo}") : QStringLiteral("β_{hi}"), "px",
-                 QStringLiteral("Half the distance between the values that ")
-                     + (isLower ? QStringLiteral("{a}_{lo}") : QStringLiteral("{a}_{hi}"))
-                     + QStringLiteral(" can have; 0 where the edge is computed in integers."),
-                 {}, Group::Span)),
+            {names.filled(
+                 plainNumber(isLower ? u"bias_{lo}"_s : u"bias_{hi}"_s,
+                             isLower ? u"β_{lo}"_s : u"β_{hi}"_s, "px",
+                             u"Half the distance between the values that "_s
+                                 + (isLower ? u"{a}_{lo}"_s : u"{a}_{hi}"_s)
+                                 + u" can have; 0 where the edge is computed in integers."_s,
+                             {}, Group::Span)),
              [isLower](const EdgeWalkSpanState &state) {
                  return isLower ? state.biasBottom : state.biasTop;
              },
              [=](NumberDescription &number, const EdgeWalkSpanState &state) {
-                 number.formula = number.title + QStringLiteral(" = ")
+                 number.formula = number.title + u" = "_s
                      + boundBias(names, state, isLower ? SpanBound::Lower : SpanBound::Upper);
              }});
 }

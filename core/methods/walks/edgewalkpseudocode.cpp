@@ -14,8 +14,7 @@ void addPlane(WalkListing &listing, SpanAxis axis)
 {
     listing.add(
         0,
-        QStringLiteral(
-            "ΔR ← %1; ΔG and ΔB likewise — in the plane through the vertices; A is twice the area")
+        u"ΔR ← %1; ΔG and ΔB likewise — in the plane through the vertices; A is twice the area"_s
             .arg(planeChange(axis == SpanAxis::Row ? u'x' : u'y')),
         {SetUp}, LineOf::Area);
 }
@@ -25,10 +24,10 @@ QString alongSegment(SpanAxis axis)
 {
     const QString along = "R₀ + (x − x₀)·((R₂ − R₀)/(x₂ − x₀)) if x₀ < x₂";
     const QString across = axis == SpanAxis::Row
-        ? QStringLiteral("R₀ + (y₀ − y)·((R₂ − R₀)/(y₀ − y₂)) if y₂ < y₀")
-        : QStringLiteral("R₀ + (y − y₀)·((R₂ − R₀)/(y₂ − y₀)) if y₀ < y₂");
-    return QStringLiteral("R ← %1, else %2, else R₀; G and B likewise")
-        .arg(axis == SpanAxis::Row ? across : along, axis == SpanAxis::Row ? along : across);
+        ? u"R₀ + (y₀ − y)·((R₂ − R₀)/(y₀ − y₂)) if y₂ < y₀"_s
+        : u"R₀ + (y − y₀)·((R₂ − R₀)/(y₂ − y₀)) if y₀ < y₂"_s;
+    return u"R ← %1, else %2, else R₀; G and B likewise"_s.arg(
+        axis == SpanAxis::Row ? across : along, axis == SpanAxis::Row ? along : across);
 }
 
 /// Adds the colours of a span's samples, one after the other; where coverage is exact those of a
@@ -55,18 +54,16 @@ Pseudocode directPseudocode(const EdgeWalkForm &form)
 {
     WalkListing listing(form, WalkCoverage::AsComputed);
     listing.addSorting();
-    listing.add(
-        0,
-        listing.slope({}, {})
-            + QStringLiteral("; β_ij ← 1/(2·256²·(x_j − x_i)) if x_i < x_j, else 1/(2·256)"),
-        {SetUp});
+    listing.add(0,
+                listing.slope({}, {})
+                    + u"; β_ij ← 1/(2·256²·(x_j − x_i)) if x_i < x_j, else 1/(2·256)"_s,
+                {SetUp});
     listing.add(0,
                 "β_C ← 1/(4·256·(x₂ − x₀)) if x₀ < x₂, else 1/(4·256·(y₂ − y₀)) if y₀ < y₂, else 0",
                 {SetUp}, LineOf::Segment);
     addPlane(listing, form.axis);
     listing.add(0,
-                QStringLiteral("ΔR_x ← %1; ΔG_x and ΔB_x likewise; β_C ← 1/(4·256²·|A|)")
-                    .arg(planeChange(u'x')),
+                u"ΔR_x ← %1; ΔG_x and ΔB_x likewise; β_C ← 1/(4·256²·|A|)"_s.arg(planeChange(u'x')),
                 {SetUp}, LineOf::Area);
     listing.addRejection();
     listing.addSpans();

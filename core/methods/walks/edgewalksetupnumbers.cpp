@@ -17,24 +17,23 @@ void appendCorner(NumberTable<EdgeWalkSetUpState> &table, std::size_t corner)
     const auto position = [&](QChar axis, Lattice LatticePoint::*coordinate) {
         table.push_back(
             {plainNumber(
-                 axis + QStringLiteral("_") + id, QString(axis) + digit, "px",
-                 QStringLiteral("%1 of the sorted vertex P%2, from the centre of pixel (0, 0).")
-                     .arg(axis)
-                     .arg(digit)),
+                 axis + u"_"_s + id, QString(axis) + digit, "px",
+                 u"%1 of the sorted vertex P%2, from the centre of pixel (0, 0)."_s.arg(axis).arg(
+                     digit)),
              [=](const EdgeWalkSetUpState &state) {
                  return inPixels(state.walk.corners[corner].position.*coordinate);
              }});
     };
     position(u'x', &LatticePoint::x);
     position(u'y', &LatticePoint::y);
-    appendChannels(
-        table,
-        plainNumber(QStringLiteral("%_") + id, u'%' + QString(digit), "levels",
-                    QStringLiteral("% of the sorted vertex P") + digit
-                        + QStringLiteral(", with material and light where there are any.")),
-        [corner](const EdgeWalkSetUpState &state, std::size_t channel) {
-            return Quantity::integer(state.walk.corners[corner].colour.channels[channel]);
-        });
+    appendChannels(table,
+                   plainNumber(u"%_"_s + id, u'%' + QString(digit), "levels",
+                               u"% of the sorted vertex P"_s + digit
+                                   + u", with material and light where there are any."_s),
+                   [corner](const EdgeWalkSetUpState &state, std::size_t channel) {
+                       return Quantity::integer(
+                           state.walk.corners[corner].colour.channels[channel]);
+                   });
 }
 
 /// A triangle of zero area is coloured along L₀₂ alone.
@@ -49,7 +48,7 @@ void specifyDivisor(const EdgeWalkNames &names, SortedEdge edge, const EdgeWalkS
 {
     const VariantSet variants = state.walk.scan.zeroArea ? VariantSet{} : state.settings.variants;
     if (names.isTooShort(state.walk.corners, edge, variants)) {
-        number.formula = number.title + QStringLiteral(" = 0");
+        number.formula = number.title + u" = 0"_s;
         number.toolTip += names.filled(
             " Δ{c} − 1 leaves nothing to divide by: the edge stays at its first vertex.");
         return;
@@ -72,10 +71,9 @@ void appendSlope(NumberTable<EdgeWalkSetUpState> &table, const EdgeWalkNames &na
     const QString title = u'm' + subscriptOf(edge);
     table.push_back(
         {names.filled(comparedNumber(
-             QStringLiteral("m_%1%2").arg(ends[0]).arg(ends[1]), title, "px/{span}",
-             QStringLiteral("Slope of %1: what each {span} adds to its {a}; none where "
-                            "it lies along the {span}s.")
-                 .arg(nameOf(edge)),
+             u"m_%1%2"_s.arg(ends[0]).arg(ends[1]), title, "px/{span}",
+             u"Slope of %1: what each {span} adds to its {a}; none where "
+             "it lies along the {span}s."_s.arg(nameOf(edge)),
              betweenEnds("%1 = ({a}& − {a}@)/%2", edge).arg(title, names.way(ends[0], ends[1])))),
          [=](const EdgeWalkSetUpState &state) {
              return isWalked(state, edge) && !names.hasNoSlope(state.walk.corners, edge)
@@ -92,12 +90,12 @@ void appendColourRates(NumberTable<EdgeWalkSetUpState> &table, const EdgeWalkNam
 {
     const auto index = std::size_t(edge);
     const auto &ends = sortedEdgeEnds[index];
-    const QString title = QStringLiteral("δ%") + subscriptOf(edge);
+    const QString title = u"δ%"_s + subscriptOf(edge);
     appendChannels(
         table,
         names.filled(comparedNumber(
-            QStringLiteral("rate_%_%1%2").arg(ends[0]).arg(ends[1]), title, "levels/{span}",
-            QStringLiteral("What each {span} adds to % along ") + nameOf(edge) + u'.',
+            u"rate_%_%1%2"_s.arg(ends[0]).arg(ends[1]), title, "levels/{span}",
+            u"What each {span} adds to % along "_s + nameOf(edge) + u'.',
             title + betweenEnds(" = (%& − %@)/", edge) + names.way(ends[0], ends[1]))),
         [=](const EdgeWalkSetUpState &state, std::size_t channel) {
             return isWalked(state, edge) && !names.hasNoSlope(state.walk.corners, edge)
@@ -119,7 +117,7 @@ NumberTable<EdgeWalkSetUpState> edgeWalkSetUpNumbers(const EdgeWalkForm &form)
         appendCorner(table, corner);
     table.push_back({comparedNumber("A", "A", "px²",
                                     "Twice the area, positive where P₀ P₁ P₂ turn as from x to y.",
-                                    QStringLiteral("A = ") + doubledAreaText()),
+                                    u"A = "_s + doubledAreaText()),
                      [](const EdgeWalkSetUpState &state) {
                          const std::array<Vertex, 3> &corners = state.walk.corners;
                          return Quantity::rational(doubledArea(corners[0].position,
@@ -140,15 +138,14 @@ NumberTable<EdgeWalkSetUpState> edgeWalkSetUpNumbers(const EdgeWalkForm &form)
         return table;
     for (std::size_t edge = 0; edge < 3; ++edge) {
         const auto &ends = sortedEdgeEnds[edge];
-        table.push_back(
-            {plainNumber(QStringLiteral("proved_%1%2").arg(ends[0]).arg(ends[1]),
-                         QStringLiteral("proved") + subscriptOf(SortedEdge(edge)), {},
-                         QStringLiteral("1: L%1 lies within the proved domain and is computed in "
-                                        "float64; 0: outside of it, in integers.")
-                             .arg(subscriptOf(SortedEdge(edge)))),
-             [edge](const EdgeWalkSetUpState &state) {
-                 return Quantity::integer(!state.walk.scan.slope[edge].isRational());
-             }});
+        table.push_back({plainNumber(u"proved_%1%2"_s.arg(ends[0]).arg(ends[1]),
+                                     u"proved"_s + subscriptOf(SortedEdge(edge)), {},
+                                     u"1: L%1 lies within the proved domain and is computed in "
+                                     "float64; 0: outside of it, in integers."_s.arg(
+                                         subscriptOf(SortedEdge(edge)))),
+                         [edge](const EdgeWalkSetUpState &state) {
+                             return Quantity::integer(!state.walk.scan.slope[edge].isRational());
+                         }});
     }
     return table;
 }

@@ -15,29 +15,28 @@ void EdgeWalkWords::tell(StepWords &words, const EdgeWalkSetUpState &state) cons
         // Between its extreme vertices a row walk sees no third one.
         if (scan.zeroArea && m_names.isRow() && corner == 1)
             continue;
-        points.append((scan.zeroArea && m_names.isRow()
-                           ? QStringLiteral("P%1 = %2").arg(vertexDigits[corner])
-                           : QStringLiteral("P%1 = vertex %2 %3")
-                                 .arg(vertexDigits[corner])
-                                 .arg(scan.order[corner]))
-                          .arg(pointText(state.walk.corners[corner].position)));
+        points.append(
+            (scan.zeroArea && m_names.isRow()
+                 ? u"P%1 = %2"_s.arg(vertexDigits[corner])
+                 : u"P%1 = vertex %2 %3"_s.arg(vertexDigits[corner]).arg(scan.order[corner]))
+                .arg(pointText(state.walk.corners[corner].position)));
     }
-    QString sentence = (m_names.isRow() ? QStringLiteral("Sorted by y, the largest first: %1.")
-                                        : QStringLiteral("Sorted by x: %1."))
-                           .arg(points.join(QStringLiteral(", ")));
+    QString sentence
+        = (m_names.isRow() ? u"Sorted by y, the largest first: %1."_s : u"Sorted by x: %1."_s)
+              .arg(points.join(u", "_s));
     if (scan.zeroArea) {
         words.sentence = sentence
-            + QStringLiteral(" It has no area: the closed rule paints the samples on its segment, "
-                             "coloured along L₀₂.");
+            + u" It has no area: the closed rule paints the samples on its segment, "
+              "coloured along L₀₂."_s;
         return;
     }
     const bool isAbove = scan.longEdge == LongEdge::Above;
     if (m_names.isRow())
-        sentence += isAbove ? QStringLiteral(" L₀₁ and L₁₂ give x_L, L₀₂ gives x_R.")
-                            : QStringLiteral(" L₀₂ gives x_L, L₀₁ and L₁₂ give x_R.");
+        sentence += isAbove ? u" L₀₁ and L₁₂ give x_L, L₀₂ gives x_R."_s
+                            : u" L₀₂ gives x_L, L₀₁ and L₁₂ give x_R."_s;
     else
-        sentence += isAbove ? QStringLiteral(" L₀₁ and L₁₂ give y_B, L₀₂ gives y_T.")
-                            : QStringLiteral(" L₀₂ gives y_B, L₀₁ and L₁₂ give y_T.");
+        sentence += isAbove ? u" L₀₁ and L₁₂ give y_B, L₀₂ gives y_T."_s
+                            : u" L₀₂ gives y_B, L₀₁ and L₁₂ give y_T."_s;
     if (m_names.hasNoSlope(state.walk.corners, SortedEdge::L01))
         sentence
             += m_names.filled(" {c}₀ = {c}₁: L₀₁ has no slope, and the first {half} is skipped.");
@@ -51,10 +50,9 @@ QString EdgeWalkWords::turnSentence(const EdgeWalkSpanState &state) const
 {
     if (!state.start.hasPlane || !state.beginsHalf || state.column.half == ColumnHalf::First)
         return {};
-    return m_names.filled(
-        state.isFirst
-            ? QStringLiteral("The scan starts in the second {half}, between L₁₂ and L₀₂. ")
-            : QStringLiteral("At {c}₁ the scan stops tracking L₀₁ and starts L₁₂ at P₁. "));
+    return m_names.filled(state.isFirst
+                              ? u"The scan starts in the second {half}, between L₁₂ and L₀₂. "_s
+                              : u"At {c}₁ the scan stops tracking L₀₁ and starts L₁₂ at P₁. "_s);
 }
 
 /// For a span without pixels: what its bounds have between them and, if only samples exactly on
@@ -77,11 +75,11 @@ QString EdgeWalkWords::emptySentence(const EdgeWalkSpanState &state) const
                     "frame.")
             .arg(lower, upper);
     const QString pattern = left.size() == 1
-        ? QStringLiteral("{a}_{lo} = %1 and {a}_{hi} = %2 have just the {across} %3 between them, "
-                         "exactly on an edge, and the fill rule does not take it.")
-        : QStringLiteral("{a}_{lo} = %1 and {a}_{hi} = %2 have just the {across}s %3 between them, "
-                         "exactly on edges, and the fill rule takes neither.");
-    return m_names.filled(pattern).arg(lower, upper, left.join(QStringLiteral(" and ")));
+        ? u"{a}_{lo} = %1 and {a}_{hi} = %2 have just the {across} %3 between them, "
+          "exactly on an edge, and the fill rule does not take it."_s
+        : u"{a}_{lo} = %1 and {a}_{hi} = %2 have just the {across}s %3 between them, "
+          "exactly on edges, and the fill rule takes neither."_s;
+    return m_names.filled(pattern).arg(lower, upper, left.join(u" and "_s));
 }
 
 QString EdgeWalkWords::coverSentence(const EdgeWalkSpanState &state) const
@@ -92,8 +90,8 @@ QString EdgeWalkWords::coverSentence(const EdgeWalkSpanState &state) const
     if (count == 0)
         return emptySentence(state);
     const QString pattern = count == 1
-        ? QStringLiteral("{a}_{lo} = %1 and {a}_{hi} = %2 cover the {across} %3.")
-        : QStringLiteral("{a}_{lo} = %1 and {a}_{hi} = %2 cover the {across}s %3 to %4.");
+        ? u"{a}_{lo} = %1 and {a}_{hi} = %2 cover the {across} %3."_s
+        : u"{a}_{lo} = %1 and {a}_{hi} = %2 cover the {across}s %3 to %4."_s;
     const QString text = m_names.filled(pattern).arg(lower, upper).arg(state.column.firstDrawn);
     return count == 1 ? text : text.arg(state.column.endDrawn - 1);
 }
@@ -126,9 +124,8 @@ void EdgeWalkWords::tell(StepWords &words, const EdgeWalkSpanState &state) const
     if (state.start.hasPlane && state.beginsHalf && !state.isFirst)
         words.moment = Moment::TakeOver;
     if (state.start.hasPlane && state.column.half == ColumnHalf::Second && state.beginsHalf)
-        words.event = m_names.filled(
-            state.isFirst ? QStringLiteral("the second {half} comes first: L₁₂ and L₀₂")
-                          : QStringLiteral("{c}₁ reached: L₁₂ takes over from L₀₁"));
+        words.event = m_names.filled(state.isFirst ? u"the second {half} comes first: L₁₂ and L₀₂"_s
+                                                   : u"{c}₁ reached: L₁₂ takes over from L₀₁"_s);
 }
 
 void EdgeWalkWords::tell(StepWords &words, const EdgeWalkSampleState &state) const
@@ -140,9 +137,8 @@ void EdgeWalkWords::tell(StepWords &words, const EdgeWalkSampleState &state) con
              && (state.start.hasPlane || state.start.isVertical))
         words.sentence = "Each level is computed from P₀ anew.";
     else
-        words.sentence = m_names.isRow()
-            ? QStringLiteral("The next column: each level changes by its Δ.")
-            : QStringLiteral("The next row: each level changes by its Δ.");
+        words.sentence = m_names.isRow() ? u"The next column: each level changes by its Δ."_s
+                                         : u"The next row: each level changes by its Δ."_s;
 }
 
 } // namespace pixelplumb

@@ -54,7 +54,7 @@ Method outlineFillMethod()
         "Draws the three edges as lines of whole pixels and fills each column from the smallest to "
         "the largest y of them: pixels nearest to an edge are painted on whichever side of it they "
         "lie, those of a shared edge twice.");
-    method.remarks += QStringLiteral("whole-pixel vertices");
+    method.remarks += u"whole-pixel vertices"_s;
     method.roundsPoints = true;
     method.effects = {Effect::SmoothColour, Effect::Clipping};
     method.arithmetics = {Arithmetic::Exact};

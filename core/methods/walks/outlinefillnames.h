@@ -11,14 +11,14 @@ namespace pixelplumb {
 /// "P₀P₁".
 inline QString outlineEdgeName(std::size_t edge)
 {
-    return QStringLiteral("P%1P%2").arg(vertexDigits[edge]).arg(vertexDigits[(edge + 1) % 3]);
+    return u"P%1P%2"_s.arg(vertexDigits[edge]).arg(vertexDigits[(edge + 1) % 3]);
 }
 
 /// Its length in steps of the midpoint algorithm: "Δ₀₁".
 inline QString lengthTitle(std::size_t edge)
 {
     const auto [first, second] = std::minmax({edge, (edge + 1) % 3});
-    return QStringLiteral("Δ%1%2").arg(vertexDigits[first]).arg(vertexDigits[second]);
+    return u"Δ%1%2"_s.arg(vertexDigits[first]).arg(vertexDigits[second]);
 }
 
 /// Its steps across: "δ₀₁".

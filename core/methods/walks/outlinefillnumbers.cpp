@@ -22,26 +22,22 @@ void appendDecision(NumberTable<OutlineSpanState> &table, const QString &bound, 
                     OutlineDecision OutlineSpanState::*decision,
                     OutlinePixel OutlineFillSpan<AnyArithmetic>::*pixel)
 {
-    const QString across = QStringLiteral("a_") + bound;
-    const QString parameter = QStringLiteral("p_") + bound;
+    const QString across = u"a_"_s + bound;
+    const QString parameter = u"p_"_s + bound;
     const auto formula = [=](const QString &length, const QString &shorter) {
-        return QStringLiteral("%1 = 2·%2·n_%3 − %4 − 2·%4·%5")
-            .arg(parameter, shorter, bound, length, across);
+        return u"%1 = 2·%2·n_%3 − %4 − 2·%4·%5"_s.arg(parameter, shorter, bound, length, across);
     };
     table.push_back(
         {plainNumber(across, across, "px",
-                     QStringLiteral("How far across the line had gone before the decision that led "
-                                    "to the pixel of the %1 y.")
-                         .arg(word),
+                     u"How far across the line had gone before the decision that led "
+                     "to the pixel of the %1 y."_s.arg(word),
                      {}, Group::Decision),
          [decision](const OutlineSpanState &state) { return (state.*decision).across; }});
     table.push_back(
         {plainNumber(
              parameter, parameter, {},
-             QStringLiteral(
-                 "The decision parameter p_k that led to the pixel of the %1 y: below 0 the line "
-                 "stayed, else it went one across. None at the edge's first pixel.")
-                 .arg(word),
+             u"The decision parameter p_k that led to the pixel of the %1 y: below 0 the line "
+             "stayed, else it went one across. None at the edge's first pixel."_s.arg(word),
              formula("Δ", "δ"), Group::Decision),
          [decision](const OutlineSpanState &state) { return (state.*decision).parameter; },
          [=](NumberDescription &number, const OutlineSpanState &state) {
@@ -62,16 +58,13 @@ void appendBound(NumberTable<OutlineSpanState> &table, const QString &bound, con
                              return Quantity::integer(read(state.span.*pixel));
                          }});
     };
-    row("y", "px", QStringLiteral("The outline's pixel of the %1 y in the column.").arg(word),
+    row("y", "px", u"The outline's pixel of the %1 y in the column."_s.arg(word),
         [](const OutlinePixel &at) { return at.row; });
-    row("edge", {},
-        QStringLiteral("Whose the pixel of the %1 y is: 0 is P₀P₁, 1 is P₁P₂, 2 is P₂P₀.")
-            .arg(word),
+    row("edge", {}, u"Whose the pixel of the %1 y is: 0 is P₀P₁, 1 is P₁P₂, 2 is P₂P₀."_s.arg(word),
         [](const OutlinePixel &at) { return std::int64_t(at.edge); });
     row("n", {},
-        QStringLiteral("How many steps of the midpoint algorithm it is from the edge's left end, "
-                       "or the one of smaller y where it is steep, to the pixel of the %1 y.")
-            .arg(word),
+        u"How many steps of the midpoint algorithm it is from the edge's left end, "
+        "or the one of smaller y where it is steep, to the pixel of the %1 y."_s.arg(word),
         [](const OutlinePixel &at) { return at.number; });
 }
 
@@ -80,14 +73,13 @@ void appendBoundColours(NumberTable<OutlineSpanState> &table, const QString &bou
                         const QString &word, OutlinePixel OutlineFillSpan<AnyArithmetic>::*pixel,
                         std::array<Quantity, 3> ColumnState<AnyArithmetic>::*colour)
 {
-    const QString title = QStringLiteral("%_") + bound;
+    const QString title = u"%_"_s + bound;
     appendChannels(
         table,
-        comparedNumber(
-            title, title, "levels",
-            QStringLiteral("Level of % at the outline's pixel of the %1 y, along its edge.")
-                .replace(QStringLiteral("%1"), word),
-            title + QStringLiteral(" = %_from + n·(%_to − %_from)/Δ"), Group::EdgeColours),
+        comparedNumber(title, title, "levels",
+                       u"Level of % at the outline's pixel of the %1 y, along its edge."_s.replace(
+                           u"%1"_s, word),
+                       title + u" = %_from + n·(%_to − %_from)/Δ"_s, Group::EdgeColours),
         [colour](const OutlineSpanState &state, std::size_t channel) {
             return (state.span.column.*colour)[channel];
         },
@@ -96,17 +88,16 @@ void appendBoundColours(NumberTable<OutlineSpanState> &table, const QString &bou
             const OutlineEdge &edge = state.setUp.edges[at.edge];
             const QString from = QString(u'%') + vertexDigits[edge.ends[0]];
             const QString to = QString(u'%') + vertexDigits[edge.ends[1]];
-            number.formula = title + QStringLiteral(" = ") + from;
+            number.formula = title + u" = "_s + from;
             if (at.number > 0)
-                number.formula += QStringLiteral(" + n_") + bound + QStringLiteral("·(") + to
-                    + QStringLiteral(" − ") + from + QStringLiteral(")/") + lengthTitle(at.edge);
+                number.formula += u" + n_"_s + bound + u"·("_s + to + u" − "_s + from + u")/"_s
+                    + lengthTitle(at.edge);
         });
 }
 
 QString startFormula(const QString &title, bool hasRate)
 {
-    return hasRate ? title + QStringLiteral("%_low + (y_start − y_low)·Δ%")
-                   : title + QStringLiteral("%_low");
+    return hasRate ? title + u"%_low + (y_start − y_low)·Δ%"_s : title + u"%_low"_s;
 }
 
 void appendRamp(NumberTable<OutlineSpanState> &table)
@@ -135,8 +126,7 @@ void appendRamp(NumberTable<OutlineSpanState> &table)
 /// "row 5, pixel 3 of P₀P₁".
 QString pixelText(const OutlinePixel &pixel)
 {
-    return QStringLiteral("row %1, pixel %2 of %3")
-        .arg(pixel.row)
+    return u"row %1, pixel %2 of %3"_s.arg(pixel.row)
         .arg(pixel.number)
         .arg(outlineEdgeName(pixel.edge));
 }
@@ -184,7 +174,7 @@ const NumberTable<OutlineSampleState> &outlineSampleNumbers()
 {
     using State = OutlineSampleState;
     static const auto numbers = [] {
-        const QString title = QStringLiteral("% ← ");
+        const QString title = u"% ← "_s;
         NumberTable<State> table;
         appendChannels(
             table,
@@ -211,12 +201,10 @@ void tellOutline(StepWords &words, const OutlineFillSetUp &setUp)
 {
     QStringList points;
     for (std::size_t corner = 0; corner < 3; ++corner)
-        points.append(QStringLiteral("P%1 = %2")
-                          .arg(vertexDigits[corner])
-                          .arg(pointText(setUp.corners[corner].position)));
-    words.sentence = QStringLiteral("On whole pixels: %1. The outline are the lines from one to "
-                                    "the next by the midpoint algorithm.")
-                         .arg(points.join(QStringLiteral(", ")));
+        points.append(
+            u"P%1 = %2"_s.arg(vertexDigits[corner]).arg(pointText(setUp.corners[corner].position)));
+    words.sentence = u"On whole pixels: %1. The outline are the lines from one to "
+                     "the next by the midpoint algorithm."_s.arg(points.join(u", "_s));
 }
 
 namespace {
@@ -229,27 +217,26 @@ QString decidedSentence(const QString &bound, const OutlinePixel &pixel,
     if (decision.parameter.isNone())
         return {};
     const bool stays = decision.parameter.numerator() < 0;
-    return QStringLiteral(" p_%1 = %2 %3 0: to (%4, %5) the line %6.")
-        .arg(bound, term(decision.parameter), stays ? QStringLiteral("<") : QStringLiteral("≥"),
-             QString::number(x), QString::number(pixel.row),
-             stays ? QStringLiteral("stayed") : QStringLiteral("went one across"));
+    return u" p_%1 = %2 %3 0: to (%4, %5) the line %6."_s.arg(
+        bound, term(decision.parameter), stays ? u"<"_s : u"≥"_s, QString::number(x),
+        QString::number(pixel.row), stays ? u"stayed"_s : u"went one across"_s);
 }
 
 } // namespace
 
 void tellOutline(StepWords &words, const OutlineSpanState &state)
 {
-    words.heading = QStringLiteral("Column %1").arg(state.span.column.x);
+    words.heading = u"Column %1"_s.arg(state.span.column.x);
     words.sentence = state.hasRate()
-        ? QStringLiteral("The outline reaches from %1, to %2: all between is filled.")
-              .arg(pixelText(state.span.low), pixelText(state.span.high))
-        : QStringLiteral("The outline is one pixel high: %1.").arg(pixelText(state.span.low));
+        ? u"The outline reaches from %1, to %2: all between is filled."_s.arg(
+            pixelText(state.span.low), pixelText(state.span.high))
+        : u"The outline is one pixel high: %1."_s.arg(pixelText(state.span.low));
     const std::int64_t x = state.span.column.x;
     words.sentence += decidedSentence("low", state.span.low, state.lowDecision, x);
     if (state.hasRate())
         words.sentence += decidedSentence("high", state.span.high, state.highDecision, x);
     if (state.drawnSamples() == 0)
-        words.sentence += QStringLiteral(" The frame shows none of it.");
+        words.sentence += u" The frame shows none of it."_s;
 }
 
 } // namespace pixelplumb

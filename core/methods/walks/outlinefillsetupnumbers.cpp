@@ -14,8 +14,8 @@ const NumberTable<OutlineFillSetUp> &outlineSetUpNumbers()
     static const auto numbers = [] {
         NumberTable<State> table;
         for (int corner = 0; corner < 3; ++corner) {
-            const QString toolTip = QStringLiteral("of P%1, rounded to a whole pixel: ⌊v + ½⌋.")
-                                        .arg(vertexDigits[std::size_t(corner)]);
+            const QString toolTip = u"of P%1, rounded to a whole pixel: ⌊v + ½⌋."_s.arg(
+                vertexDigits[std::size_t(corner)]);
             table.push_back(endNumber<State>(u'x', corner, toolTip, [corner](const State &setUp) {
                 return pixels(setUp.corners[std::size_t(corner)].position.x);
             }));
@@ -26,9 +26,8 @@ const NumberTable<OutlineFillSetUp> &outlineSetUpNumbers()
         for (std::size_t corner = 0; corner < 3; ++corner) {
             appendChannels(
                 table,
-                plainNumber(QStringLiteral("%_") + QString::number(corner),
-                            QString(u'%') + vertexDigits[corner], "levels",
-                            QStringLiteral("Level of % at P") + vertexDigits[corner] + u'.'),
+                plainNumber(u"%_"_s + QString::number(corner), QString(u'%') + vertexDigits[corner],
+                            "levels", u"Level of % at P"_s + vertexDigits[corner] + u'.'),
                 [corner](const State &setUp, std::size_t channel) {
                     return Quantity::integer(setUp.corners[corner].colour.channels[channel]);
                 });
@@ -41,24 +40,21 @@ const NumberTable<OutlineFillSetUp> &outlineSetUpNumbers()
             const auto back = [&](QChar axis) {
                 return axes.arg(axis).arg(vertexDigits[edge]).arg(vertexDigits[(edge + 1) % 3]);
             };
-            const QString alongX = QStringLiteral("max(%1, %2)").arg(along(u'x'), back(u'x'));
-            const QString alongY = QStringLiteral("max(%1, %2)").arg(along(u'y'), back(u'y'));
+            const QString alongX = u"max(%1, %2)"_s.arg(along(u'x'), back(u'x'));
+            const QString alongY = u"max(%1, %2)"_s.arg(along(u'y'), back(u'y'));
             table.push_back(
-                {plainNumber(QStringLiteral("steps_%1").arg(edge), lengthTitle(edge), "px",
-                             QStringLiteral(
-                                 "The steps of the midpoint algorithm along %1: its longer side.")
+                {plainNumber(u"steps_%1"_s.arg(edge), lengthTitle(edge), "px",
+                             u"The steps of the midpoint algorithm along %1: its longer side."_s
                                  .arg(outlineEdgeName(edge)),
-                             lengthTitle(edge)
-                                 + QStringLiteral(" = max(%1, %2)").arg(alongX, alongY)),
+                             lengthTitle(edge) + u" = max(%1, %2)"_s.arg(alongX, alongY)),
                  [edge](const State &setUp) {
                      return Quantity::integer(setUp.edges[edge].line.deltaX);
                  }});
             table.push_back(
-                {plainNumber(QStringLiteral("across_%1").arg(edge), acrossTitle(edge), "px",
-                             QStringLiteral("How far %1 goes across: its shorter side.")
-                                 .arg(outlineEdgeName(edge)),
-                             acrossTitle(edge)
-                                 + QStringLiteral(" = min(%1, %2)").arg(alongX, alongY)),
+                {plainNumber(
+                     u"across_%1"_s.arg(edge), acrossTitle(edge), "px",
+                     u"How far %1 goes across: its shorter side."_s.arg(outlineEdgeName(edge)),
+                     acrossTitle(edge) + u" = min(%1, %2)"_s.arg(alongX, alongY)),
                  [edge](const State &setUp) {
                      return Quantity::integer(setUp.edges[edge].line.deltaY);
                  }});

@@ -62,15 +62,15 @@ QString divisorChange(VariantSet variants)
 {
     QString change;
     if (variants.contains(Variant::DivisorMinusOne))
-        change += QStringLiteral(" − 1");
+        change += u" − 1"_s;
     if (variants.contains(Variant::DivisorPlusOne))
-        change += QStringLiteral(" + 1");
+        change += u" + 1"_s;
     return change;
 }
 
 QString differenceText(Lattice to, Lattice from)
 {
-    return QStringLiteral("(%1 − %2)").arg(operand(pixels(to)), operand(pixels(from)));
+    return u"(%1 − %2)"_s.arg(operand(pixels(to)), operand(pixels(from)));
 }
 
 QString sampleNumbersText(std::uint16_t samples, int count)
@@ -80,15 +80,14 @@ QString sampleNumbersText(std::uint16_t samples, int count)
         if ((samples >> k & 1) != 0)
             numbers.append(QString::number(k + 1));
     }
-    return numbers.size() == count ? QStringLiteral("all")
-                                   : QStringLiteral("%1 (number %2)")
-                                         .arg(numbers.size())
-                                         .arg(numbers.join(QStringLiteral(", ")));
+    return numbers.size() == count
+        ? u"all"_s
+        : u"%1 (number %2)"_s.arg(numbers.size()).arg(numbers.join(u", "_s));
 }
 
 QString pointText(const LatticePoint &point)
 {
-    return QStringLiteral("(%1, %2)").arg(term(pixels(point.x)), term(pixels(point.y)));
+    return u"(%1, %2)"_s.arg(term(pixels(point.x)), term(pixels(point.y)));
 }
 
 } // namespace pixelplumb

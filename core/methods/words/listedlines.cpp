@@ -15,10 +15,7 @@ namespace {
 /// In frames of which origins a text stands, for each rule.
 using Places = std::vector<std::vector<FrameOrigin>>;
 
-QString originText(FrameOrigin origin)
-{
-    return QStringLiteral("origin ") + nameText(nameOf(origin));
-}
+QString originText(FrameOrigin origin) { return u"origin "_s + nameText(nameOf(origin)); }
 
 QString whereText(const Places &places, const std::vector<FillRule> &rules)
 {
@@ -30,9 +27,9 @@ QString whereText(const Places &places, const std::vector<FillRule> &rules)
         if (places[i].size() == allFrameOrigins.size())
             text.append(rule);
         else if (!places[i].empty())
-            text.append(rule + QStringLiteral(" with ") + originText(places[i].front()));
+            text.append(rule + u" with "_s + originText(places[i].front()));
     }
-    return text.join(QStringLiteral(", "));
+    return text.join(u", "_s);
 }
 
 } // namespace

@@ -3,6 +3,8 @@
 
 namespace pixelplumb {
 
+using namespace Qt::StringLiterals;
+
 NumberDescription plainNumber(const QString &id, const QString &title, const QString &unit,
                               const QString &toolTip, const QString &formula, NumberGroup group)
 {
@@ -26,8 +28,7 @@ namespace {
 
 NumberDescription pixelCoordinate(const QString &axis)
 {
-    return plainNumber(axis, axis, "px", QStringLiteral("The pixel's %1.").arg(axis), {},
-                       NumberGroup::Span);
+    return plainNumber(axis, axis, "px", u"The pixel's %1."_s.arg(axis), {}, NumberGroup::Span);
 }
 
 } // namespace

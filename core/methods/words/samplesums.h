@@ -15,13 +15,12 @@ template <class State, class Read>
 void appendSampleSums(NumberTable<State> &table, const Read &samplesIn)
 {
     for (std::size_t channel = 0; channel < 3; ++channel) {
-        const QString title = QStringLiteral("sum_") + channelLetters[channel];
+        const QString title = u"sum_"_s + channelLetters[channel];
         table.push_back(
-            {plainNumber(
-                 title, title, {},
-                 QStringLiteral("The sum of %1 over the pixel's samples, as they stand now.")
-                     .arg(channelLetters[channel]),
-                 {}, NumberGroup::FirstColour),
+            {plainNumber(title, title, {},
+                         u"The sum of %1 over the pixel's samples, as they stand now."_s.arg(
+                             channelLetters[channel]),
+                         {}, NumberGroup::FirstColour),
              [=](const State &state) {
                  const auto colours = samplesIn(state).colours();
                  int sum = 0;
@@ -33,9 +32,8 @@ void appendSampleSums(NumberTable<State> &table, const Read &samplesIn)
                  QStringList bytes;
                  for (const QRgb colour : samplesIn(state).colours())
                      bytes.append(QString::number(unpacked(colour).channels[channel]));
-                 number.formula = bytes.empty()
-                     ? QString()
-                     : title + QStringLiteral(" = ") + bytes.join(QStringLiteral(" + "));
+                 number.formula
+                     = bytes.empty() ? QString() : title + u" = "_s + bytes.join(u" + "_s);
              }});
     }
 }

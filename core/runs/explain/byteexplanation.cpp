@@ -21,14 +21,12 @@ QString byteFormula(ByteRounding rounding, const Quantity &channel, std::int64_t
                     const QString &bias)
 {
     const bool isNearest = rounding == ByteRounding::Nearest;
-    const QString nearest
-        = bias.isEmpty() ? QStringLiteral("½") : QStringLiteral("(½ + %1)").arg(bias);
+    const QString nearest = bias.isEmpty() ? u"½"_s : u"(½ + %1)"_s.arg(bias);
     const QString added = isNearest ? nearest : bias;
-    const QString rounded
-        = added.isEmpty() ? QStringLiteral("⌊%⌋") : QStringLiteral("⌊% + %1⌋").arg(added);
+    const QString rounded = added.isEmpty() ? u"⌊%⌋"_s : u"⌊% + %1⌋"_s.arg(added);
     if (level < 0 || channel.toDouble() + (isNearest ? 0.5 : 0.0) < 0)
-        return QStringLiteral("max(0, ") + rounded + u')';
-    return level > 255 ? QStringLiteral("min(255, ") + rounded + u')' : rounded;
+        return u"max(0, "_s + rounded + u')';
+    return level > 255 ? u"min(255, "_s + rounded + u')' : rounded;
 }
 
 /// The sample's number with this title; none if there is none.
@@ -68,7 +66,7 @@ Quantity byteOf(const Quantity &level, ByteRounding rounding)
 QString lastStage(const std::vector<NumberDescription> &columns, const std::vector<Quantity> &used)
 {
     for (const char *stage : {"mean", "r", "s", "mod"}) {
-        if (!numberTitled(stage + QStringLiteral("_R"), columns, used).isNone())
+        if (!numberTitled(stage + u"_R"_s, columns, used).isNone())
             return stage;
     }
     return {};
@@ -80,12 +78,11 @@ void appendStage(Explanation &explanation, const QString &stage, QRgb pixel)
     const Colour colour = unpacked(pixel);
     for (std::size_t channel = 0; channel < 3; ++channel) {
         const Quantity byte = Quantity::integer(colour.channels[channel]);
-        explanation.lines.push_back(
-            {channelSubjects[channel],
-             QStringLiteral("byte = %1_%2").arg(stage).arg(channelLetters[channel]),
-             term(byte),
-             byte,
-             {}});
+        explanation.lines.push_back({channelSubjects[channel],
+                                     u"byte = %1_%2"_s.arg(stage).arg(channelLetters[channel]),
+                                     term(byte),
+                                     byte,
+                                     {}});
     }
 }
 
@@ -106,8 +103,7 @@ void appendRounding(Explanation &explanation, ByteRounding rounding, const Writt
         };
         FormulaLine byte;
         byte.subject = channelSubjects[channel];
-        byte.symbols = QStringLiteral("byte = ")
-            + filled(QString(channelLetters[channel]), colourBiasTitle());
+        byte.symbols = u"byte = "_s + filled(QString(channelLetters[channel]), colourBiasTitle());
         byte.substituted = filled(term(sample.colour[channel], places), term(bias, places));
         byte.used = Quantity::integer(std::clamp<std::int64_t>(sample.level[channel], 0, 255));
         if (exact.colour[channel].isRational())

@@ -26,7 +26,7 @@ QString edgeName(const SetUpRecord &setUp, int from, int to)
     if (!setUp.longEdge)
         return vertexName(setUp, from) + vertexName(setUp, to);
     const auto [first, last] = std::minmax({rankOf(setUp, from), rankOf(setUp, to)});
-    return QStringLiteral("L%1%2").arg(subscript(first)).arg(subscript(last));
+    return u"L%1%2"_s.arg(subscript(first)).arg(subscript(last));
 }
 
 } // namespace pixelplumb

@@ -18,11 +18,10 @@ QString distanceText(const oracle::EdgeVerdict &edge, const ScanTrace &trace)
 {
     const auto [exact, axis] = scanDistance(edge, trace);
     if (exact.isNone())
-        return QStringLiteral("at no distance: the edge is a point");
-    return QStringLiteral("%1 px measured along the %2 (%3 px perpendicular to the edge)")
-        .arg(toText(exact),
-             axis == SpanAxis::Column ? QStringLiteral("column") : QStringLiteral("row"),
-             QString::number(edge.distance, 'g', 6));
+        return u"at no distance: the edge is a point"_s;
+    return u"%1 px measured along the %2 (%3 px perpendicular to the edge)"_s.arg(
+        toText(exact), axis == SpanAxis::Column ? u"column"_s : u"row"_s,
+        QString::number(edge.distance, 'g', 6));
 }
 
 /// Of the samples in the frame along the loop that passes the pixel's column or row, the first and
@@ -41,24 +40,23 @@ TestedExtent testedExtentOf(const PixelAttempt &attempt, const ScanTrace &trace)
                 Quantity::integer(attempt.span->endDrawn - 1)};
     const SetUpRecord setUp = trace.setUp(attempt.primitive);
     const NamedNumbers numbers(trace.numbers().setUp, setUp.cells);
-    const bool isByRows = !numbers[QStringLiteral("y_min")].isNone();
-    return isByRows
-        ? TestedExtent{rows, numbers[QStringLiteral("y_min")], numbers[QStringLiteral("y_max")]}
-        : TestedExtent{columns, numbers[QStringLiteral("x_min")], numbers[QStringLiteral("x_max")]};
+    const bool isByRows = !numbers[u"y_min"_s].isNone();
+    return isByRows ? TestedExtent{rows, numbers[u"y_min"_s], numbers[u"y_max"_s]}
+                    : TestedExtent{columns, numbers[u"x_min"_s], numbers[u"x_max"_s]};
 }
 
 /// That the sample lies outside of the samples that are tested, and which these are.
 QString untestedText(const PixelAttempt &attempt, const TracedScene &traced)
 {
     const QString box = traced.scene.settings.variants.contains(Variant::RoundedBox)
-        ? QStringLiteral("rounded box")
-        : QStringLiteral("box");
-    QString text = QStringLiteral("Not tested: it lies outside of the %1 of the vertices").arg(box);
+        ? u"rounded box"_s
+        : u"box"_s;
+    QString text = u"Not tested: it lies outside of the %1 of the vertices"_s.arg(box);
     const auto [samples, first, last] = testedExtentOf(attempt, *traced.trace);
     if (first.toDouble() <= last.toDouble())
-        text += QStringLiteral(", of which the %1 %2 … %3 are in the frame")
-                    .arg(samples, toText(first), toText(last));
-    return text + QStringLiteral(". ");
+        text += u", of which the %1 %2 … %3 are in the frame"_s.arg(samples, toText(first),
+                                                                    toText(last));
+    return text + u". "_s;
 }
 
 /// By what the run itself passed over a sample that the truth refuses, where that may be another
@@ -68,16 +66,14 @@ QString ownReasonText(const PixelAttempt &attempt, const TracedScene &traced, st
 {
     if (isDecidedByOutline(attempt, *traced.trace)) {
         const QString decided = stepBesideText(attempt, traced, x, y);
-        return decided.isEmpty() ? QStringLiteral(" The outline has no pixel in this column.")
-                                 : decided;
+        return decided.isEmpty() ? u" The outline has no pixel in this column."_s : decided;
     }
     if (attempt.written || !mayDecideOtherwise(traced))
         return {};
     if (attempt.sample)
         return deciderText(attempt, traced);
     return attempt.span && !attempt.span->lower.isNone()
-        ? QStringLiteral(" In the run, %1.")
-              .arg(boundsText(*attempt.span, traced.scene.settings.arithmetic))
+        ? u" In the run, %1."_s.arg(boundsText(*attempt.span, traced.scene.settings.arithmetic))
         : QString();
 }
 
@@ -85,7 +81,7 @@ QString segmentRefusalText(const PixelAttempt &attempt, const TracedScene &trace
                            std::int64_t y, const QString &start)
 {
     if (traced.scene.settings.fillRule != FillRule::Closed)
-        return QStringLiteral("The triangle has no area: only the closed rule paints a segment.");
+        return u"The triangle has no area: only the closed rule paints a segment."_s;
     return start.arg(segmentText(traced.primitives.triangles[attempt.primitive], x, y))
         + ownReasonText(attempt, traced, x, y);
 }
@@ -97,8 +93,8 @@ QString partlyRefusedText(const PixelAttempt &attempt, const TracedScene &traced
 {
     const QString place = refusing.edgeFunction == 0
         ? tiesText(attempt, traced, x, y, TieSide::Other)
-        : QStringLiteral("beyond %1, at %2").arg(edge, distanceText(refusing, *traced.trace));
-    return noPartText(traced) + QStringLiteral(" The pixel's centre lies %1.").arg(place);
+        : u"beyond %1, at %2"_s.arg(edge, distanceText(refusing, *traced.trace));
+    return noPartText(traced) + u" The pixel's centre lies %1."_s.arg(place);
 }
 
 } // namespace
@@ -133,11 +129,10 @@ QString tiesText(const PixelAttempt &attempt, const TracedScene &traced, std::in
     for (std::size_t i = 0; i < attempt.verdict.edges.size(); ++i) {
         const oracle::EdgeVerdict &edge = attempt.verdict.edges[i];
         if (edge.edgeFunction == 0 && edge.accepts == (side == TieSide::This))
-            ties.append(
-                QStringLiteral("exactly on %1, and %2")
-                    .arg(attempt.edgeNames[i], tieText(traced, attempt.primitive, edge, x, y)));
+            ties.append(u"exactly on %1, and %2"_s.arg(
+                attempt.edgeNames[i], tieText(traced, attempt.primitive, edge, x, y)));
     }
-    return ties.join(QStringLiteral("; it lies "));
+    return ties.join(u"; it lies "_s);
 }
 
 QString deciderText(const PixelAttempt &attempt, const TracedScene &traced)
@@ -155,14 +150,13 @@ bool hasExactBounds(const SpanRecord &span, Arithmetic arithmetic)
 QString boundsText(const SpanRecord &span, Arithmetic arithmetic)
 {
     const QString pattern = hasExactBounds(span, arithmetic)
-        ? QStringLiteral("the %1's exact bounds %2 and %3 give ")
-        : QStringLiteral("the %1's bounds %2 and %3 give ");
-    const QString bounds = pattern.arg(
-        span.place.axis == SpanAxis::Column ? QStringLiteral("column") : QStringLiteral("row"),
-        toText(span.lower), toText(span.upper));
-    return span.firstSample < span.endSample ? bounds
-            + QStringLiteral("the samples %1 … %2").arg(span.firstSample).arg(span.endSample - 1)
-                                             : bounds + QStringLiteral("no sample");
+        ? u"the %1's exact bounds %2 and %3 give "_s
+        : u"the %1's bounds %2 and %3 give "_s;
+    const QString bounds = pattern.arg(span.place.axis == SpanAxis::Column ? u"column"_s : u"row"_s,
+                                       toText(span.lower), toText(span.upper));
+    return span.firstSample < span.endSample
+        ? bounds + u"the samples %1 … %2"_s.arg(span.firstSample).arg(span.endSample - 1)
+        : bounds + u"no sample"_s;
 }
 
 QString triangleRefusalText(const PixelAttempt &attempt, const TracedScene &traced, std::int64_t x,
@@ -173,10 +167,10 @@ QString triangleRefusalText(const PixelAttempt &attempt, const TracedScene &trac
         || isDecidedByOutline(attempt, *traced.trace);
     const QString untested = isBesideBox ? untestedText(attempt, traced) : QString();
     if (attempt.verdict.zeroArea)
-        return segmentRefusalText(
-            attempt, traced, x, y,
-            isOfTruthAlone ? untested + QStringLiteral("The triangle has no area. In truth, %1.")
-                           : QStringLiteral("The triangle has no area, and %1."));
+        return segmentRefusalText(attempt, traced, x, y,
+                                  isOfTruthAlone
+                                      ? untested + u"The triangle has no area. In truth, %1."_s
+                                      : u"The triangle has no area, and %1."_s);
     if (!noPartText(traced).isEmpty() && !attempt.isCentreRefused())
         return noPartText(traced);
     const std::size_t index = refusingEdge(attempt.verdict);
@@ -187,15 +181,13 @@ QString triangleRefusalText(const PixelAttempt &attempt, const TracedScene &trac
     const QString own = ownReasonText(attempt, traced, x, y);
     if (refusing.edgeFunction == 0) {
         const QString ties = tiesText(attempt, traced, x, y, TieSide::Other);
-        return untested + QStringLiteral("The sample lies %1.").arg(ties)
+        return untested + u"The sample lies %1."_s.arg(ties)
             + (own.contains(ties) ? QString() : own);
     }
     return untested
-        + QStringLiteral("%1 %2: the sample is at %3, under the rule %4.")
-              .arg(isOfTruthAlone ? QStringLiteral("The truth refuses it by")
-                                  : QStringLiteral("Refused by"),
-                   edge, distanceText(refusing, *traced.trace),
-                   nameText(nameOf(traced.scene.settings.fillRule)))
+        + u"%1 %2: the sample is at %3, under the rule %4."_s.arg(
+            isOfTruthAlone ? u"The truth refuses it by"_s : u"Refused by"_s, edge,
+            distanceText(refusing, *traced.trace), nameText(nameOf(traced.scene.settings.fillRule)))
         + own;
 }
 

@@ -42,14 +42,14 @@ void appendLines(Explanation &explanation, const std::vector<NumberDescription> 
 QString primitiveText(const TracedScene &traced, std::size_t primitive)
 {
     const QString kind = nameOf(traced.primitives.kindOf(primitive));
-    return kind.left(1).toUpper() + kind.sliced(1) + QStringLiteral(" %1").arg(primitive);
+    return kind.left(1).toUpper() + kind.sliced(1) + u" %1"_s.arg(primitive);
 }
 
 Explanation explainBeginning(const TracedScene &traced, std::size_t primitive)
 {
     const SetUpRecord setUp = traced.trace->setUp(primitive);
     Explanation explanation;
-    explanation.heading = QStringLiteral("%1: set-up").arg(primitiveText(traced, primitive));
+    explanation.heading = u"%1: set-up"_s.arg(primitiveText(traced, primitive));
     explanation.stages = stageFormulas(traced, primitive);
     const auto rejection = rejectionOf(traced, primitive);
     const QString rejected = rejection ? u' ' + rejectionText(*rejection) : QString();
@@ -70,31 +70,28 @@ Explanation explainBeginning(const TracedScene &traced, std::size_t primitive)
 QString spanSentence(const SpanRecord &span, std::size_t visited, FillRule rule,
                      Antialiasing antialiasing)
 {
-    const QString others
-        = span.place.axis == SpanAxis::Column ? QStringLiteral("rows") : QStringLiteral("columns");
+    const QString others = span.place.axis == SpanAxis::Column ? u"rows"_s : u"columns"_s;
     // Antialiasing has samples besides the pixels' centres, and the bounds may lie between them.
     if (span.drawnSamples() == 0)
         return visited == 0
-            ? (rule == FillRule::Closed
-                   ? QStringLiteral("No sample of the frame lies here.")
-                   : QStringLiteral("The fill rule takes no sample of the frame here."))
-            : QStringLiteral("No pixel's centre lies here, but other samples of %1 may.")
-                  .arg(visited == 1 ? QStringLiteral("1 pixel")
-                                    : QStringLiteral("%1 pixels").arg(visited));
+            ? (rule == FillRule::Closed ? u"No sample of the frame lies here."_s
+                                        : u"The fill rule takes no sample of the frame here."_s)
+            : u"No pixel's centre lies here, but other samples of %1 may."_s.arg(
+                visited == 1 ? u"1 pixel"_s : u"%1 pixels"_s.arg(visited));
     const QString range = span.drawnSamples() == 1
-        ? QStringLiteral("%1 %2").arg(others.chopped(1)).arg(span.firstDrawn)
-        : QStringLiteral("%1 %2 to %3").arg(others).arg(span.firstDrawn).arg(span.endDrawn - 1);
+        ? u"%1 %2"_s.arg(others.chopped(1)).arg(span.firstDrawn)
+        : u"%1 %2 to %3"_s.arg(others).arg(span.firstDrawn).arg(span.endDrawn - 1);
     if (span.lower.isNone())
         return span.drawnSamples() == 1
-            ? QStringLiteral("The sample on the %1 is tested.").arg(range)
-            : QStringLiteral("The samples on the %1 are tested one by one.").arg(range);
+            ? u"The sample on the %1 is tested."_s.arg(range)
+            : u"The samples on the %1 are tested one by one."_s.arg(range);
     const QString pattern = antialiasing == Antialiasing::None
-        ? QStringLiteral("The bounds %1 and %2 cover the %3.")
+        ? u"The bounds %1 and %2 cover the %3."_s
         : antialiasing == Antialiasing::Area
-        ? QStringLiteral("At the pixels' centres the bounds are %1 and %2; the area that the "
-                         "triangle covers is computed on the %3.")
-        : QStringLiteral("The bounds %1 and %2 cover the pixel centres of the %3; other samples "
-                         "next to them may lie in the triangle.");
+        ? u"At the pixels' centres the bounds are %1 and %2; the area that the "
+          "triangle covers is computed on the %3."_s
+        : u"The bounds %1 and %2 cover the pixel centres of the %3; other samples "
+          "next to them may lie in the triangle."_s;
     return pattern.arg(term(span.lower), term(span.upper), range);
 }
 
@@ -169,11 +166,11 @@ QString writtenSentence(const TracedScene &traced, std::size_t primitive,
                         const SampleRecord &sample)
 {
     if (!isCovering(traced.primitives.kindOf(primitive)))
-        return QStringLiteral("The pixel belongs to this step and is written.");
+        return u"The pixel belongs to this step and is written."_s;
     if (traced.trace->setUp(primitive).zeroArea)
-        return QStringLiteral("The sample is drawn: the triangle has no area, and %1.")
-            .arg(segmentText(traced.primitives.triangles[primitive], sample.x, sample.y));
-    return QStringLiteral("The sample is drawn.");
+        return u"The sample is drawn: the triangle has no area, and %1."_s.arg(
+            segmentText(traced.primitives.triangles[primitive], sample.x, sample.y));
+    return u"The sample is drawn."_s;
 }
 
 Explanation explainSample(const TracedScene &traced, const TraceStep &step)
@@ -210,7 +207,7 @@ Explanation explainSample(const TracedScene &traced, const TraceStep &step)
             ? writtenSentence(traced, step.primitive, sample)
             : refusalSentence(traced, step.primitive, sample, decisionsOf(words.numbers, sample));
     if (sample.clamped)
-        explanation.sentence += QStringLiteral(" A level left 0 … 255 and is clamped.");
+        explanation.sentence += u" A level left 0 … 255 and is clamped."_s;
     if (isStep)
         appendLines(explanation, spans.words.numbers, spans.current.cells,
                     exactSpanCells(traced, step.span), ofSpan, startOfSpan(trace, step.span));

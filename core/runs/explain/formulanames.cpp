@@ -83,7 +83,7 @@ QString FormulaNames::substituted(const QString &formula, const QString &title, 
             result += isAlone ? term(value, places) : operand(value, places);
         place = end;
     }
-    return result.replace(QStringLiteral("(−0)"), QStringLiteral("0"));
+    return result.replace(u"(−0)"_s, u"0"_s);
 }
 
 } // namespace pixelplumb

@@ -44,18 +44,17 @@ QString idleReason(DrawingSetting setting, const Scene &scene)
     switch (setting) {
     case DrawingSetting::Arithmetic:
         if (method->arithmetics.size() == 1)
-            return QStringLiteral("computes in “%1” alone")
-                .arg(nameText(nameOf(method->arithmetics.front())));
+            return u"computes in “%1” alone"_s.arg(nameText(nameOf(method->arithmetics.front())));
         break;
     case DrawingSetting::FillRule:
         if (method->fillRules.size() == 1)
-            return QStringLiteral("keeps the fill rule “%1” alone: %2")
-                .arg(nameText(nameOf(method->fillRules.front())), method->fillRuleReason);
+            return u"keeps the fill rule “%1” alone: %2"_s.arg(
+                nameText(nameOf(method->fillRules.front())), method->fillRuleReason);
         break;
     case DrawingSetting::Rounding:
         if (drawsWholeLevels(*method, scene))
-            return QStringLiteral("paints each of these primitives in one colour: no level lies "
-                                  "between two bytes");
+            return u"paints each of these primitives in one colour: no level lies "
+                   "between two bytes"_s;
         break;
     }
     return {};

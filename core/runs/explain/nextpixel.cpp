@@ -50,12 +50,11 @@ QString reasonFor(const TracedScene &traced, const TraceStep &step)
     for (const SampleDecision &test : decisionsOf(words.numbers, trace.samples(step.span)[place])) {
         if (kind != PrimitiveKind::Triangle || test.value.isNone())
             continue;
-        tests += QStringLiteral("%1 = %2").arg(test.title, term(test.value));
+        tests += u"%1 = %2"_s.arg(test.title, term(test.value));
         isRounded = isRounded || test.value.toDouble() < 0;
     }
-    return tests.isEmpty() || isRounded
-        ? explainStep(traced, trace.indexOfSpan(step.span)).sentence
-        : tests.join(QStringLiteral(", ")) + QStringLiteral(": none is negative.");
+    return tests.isEmpty() || isRounded ? explainStep(traced, trace.indexOfSpan(step.span)).sentence
+                                        : tests.join(u", "_s) + u": none is negative."_s;
 }
 
 } // namespace
@@ -79,25 +78,23 @@ QString wrongPixelText(const TracedScene &traced, std::size_t position, const QP
         return {};
     const FrameView frame = traced.truth.view();
     if (!frame.contains(pixel.x(), pixel.y()))
-        return QStringLiteral("It lies off the frame, columns %1 to %2 and rows %3 to %4, where "
-                              "nothing is written.")
-            .arg(frame.firstColumn)
-            .arg(frame.endColumn() - 1)
-            .arg(frame.firstRow)
-            .arg(frame.endRow() - 1);
+        return u"It lies off the frame, columns %1 to %2 and rows %3 to %4, where "
+               "nothing is written."_s.arg(frame.firstColumn)
+                   .arg(frame.endColumn() - 1)
+                   .arg(frame.firstRow)
+                   .arg(frame.endRow() - 1);
     const TraceStep next = trace.stepAt(*index);
     const auto visit = trace.visitOf(next.primitive, pixel.x(), pixel.y());
     if (!visit || !trace.changes()[*visit].isWritten())
         return pixelAttempt(traced, next.primitive, pixel.x(), pixel.y()).reason;
     if (trace.indexOfSample(*visit) < position)
-        return QStringLiteral("It has been drawn already, in step %1.")
-            .arg(trace.indexOfSample(*visit) + 1);
+        return u"It has been drawn already, in step %1."_s.arg(trace.indexOfSample(*visit) + 1);
     if (trace.indexOfSample(*visit) < *index)
-        return QStringLiteral("It is the pixel of the current step: which one follows it?");
+        return u"It is the pixel of the current step: which one follows it?"_s;
     const std::size_t span = trace.spanOf(*visit);
     return span == next.span
-        ? QStringLiteral("Its turn comes later in the same span: where does the method begin?")
-        : QStringLiteral("Its turn comes later: %1.").arg(spanHeading(trace, span));
+        ? u"Its turn comes later in the same span: where does the method begin?"_s
+        : u"Its turn comes later: %1."_s.arg(spanHeading(trace, span));
 }
 
 } // namespace pixelplumb

@@ -61,9 +61,9 @@ QString variantText(const PixelAttempt &attempt, const TracedScene &traced, std:
     QString text;
     for (const Variant variant : variantsToBlame(attempt, traced, x, y)) {
         const VariantWords &words = wordsOf(variant, traced.method->spanAxis);
-        text += QStringLiteral(" The run has the variant “%1”: %2 in place of %3. %4")
-                    .arg(nameText(words.title), nameText(words.printed), nameText(words.right),
-                         nameText(words.fault));
+        text += u" The run has the variant “%1”: %2 in place of %3. %4"_s.arg(
+            nameText(words.title), nameText(words.printed), nameText(words.right),
+            nameText(words.fault));
     }
     return text;
 }
@@ -85,7 +85,7 @@ QString refusalText(const PixelAttempt &attempt, const TracedScene &traced, std:
     if (attempt.kind == PrimitiveKind::Triangle)
         return triangleRefusalText(attempt, traced, x, y);
     const QString found = passingText(attempt, *traced.trace);
-    const QString uncovered = QStringLiteral("The %1 does not cover it.").arg(nameOf(attempt.kind));
+    const QString uncovered = u"The %1 does not cover it."_s.arg(nameOf(attempt.kind));
     return (found.isEmpty() && !attempt.written ? uncovered : found)
         + (attempt.written ? stepOfPixelText(attempt, traced)
                            : stepBesideText(attempt, traced, x, y))
@@ -94,19 +94,18 @@ QString refusalText(const PixelAttempt &attempt, const TracedScene &traced, std:
 
 QString channelText(const PixelAttempt &attempt, std::size_t channel, QChar name)
 {
-    return QStringLiteral("%1 = %2 → %3")
-        .arg(name)
+    return u"%1 = %2 → %3"_s.arg(name)
         .arg(toText(attempt.sample->colour[channel]))
         .arg(std::clamp<std::int64_t>(attempt.sample->level[channel], 0, 255));
 }
 
 QString writtenText(const PixelAttempt &attempt)
 {
-    QString text = QStringLiteral("Writes %1, %2, %3.")
-                       .arg(channelText(attempt, 0, u'R'), channelText(attempt, 1, u'G'),
-                            channelText(attempt, 2, u'B'));
+    QString text
+        = u"Writes %1, %2, %3."_s.arg(channelText(attempt, 0, u'R'), channelText(attempt, 1, u'G'),
+                                      channelText(attempt, 2, u'B'));
     if (attempt.sample->clamped)
-        text += QStringLiteral(" A level went outside 0 … 255 and was clamped.");
+        text += u" A level went outside 0 … 255 and was clamped."_s;
     return text;
 }
 
@@ -117,12 +116,12 @@ QString keptTiesText(const PixelAttempt &attempt, const TracedScene &traced, std
 {
     const FillRule rule = traced.scene.settings.fillRule;
     if (attempt.verdict.zeroArea)
-        return QStringLiteral(" The triangle has no area, and %1.")
-            .arg(segmentText(traced.primitives.triangles[attempt.primitive], x, y));
+        return u" The triangle has no area, and %1."_s.arg(
+            segmentText(traced.primitives.triangles[attempt.primitive], x, y));
     if (rule == FillRule::Closed || rule == FillRule::Open)
         return {};
     const QString ties = tiesText(attempt, traced, x, y, TieSide::This);
-    return ties.isEmpty() ? ties : QStringLiteral(" The sample lies %1.").arg(ties);
+    return ties.isEmpty() ? ties : u" The sample lies %1."_s.arg(ties);
 }
 
 /// The numbers by which the kernel took a sample of a triangle that the truth refuses; empty if it
@@ -135,11 +134,11 @@ QString acceptingText(const PixelAttempt &attempt, const TracedScene &traced)
     for (const SampleDecision &decision :
          decisionsOf(traced.trace->numbers().sample, *attempt.sample)) {
         if (!decision.value.isNone())
-            accepted.append(QStringLiteral("%1 = %2").arg(decision.title, term(decision.value)));
+            accepted.append(u"%1 = %2"_s.arg(decision.title, term(decision.value)));
     }
-    return accepted.isEmpty() ? QString()
-                              : QStringLiteral(" The run accepted it by its own numbers: %1.")
-                                    .arg(accepted.join(QStringLiteral(", ")));
+    return accepted.isEmpty()
+        ? QString()
+        : u" The run accepted it by its own numbers: %1."_s.arg(accepted.join(u", "_s));
 }
 
 /// Why the kernel passed over a sample that the truth covers.
@@ -148,46 +147,42 @@ QString missedText(const PixelAttempt &attempt, const TracedScene &traced, std::
 {
     const ScanTrace &trace = *traced.trace;
     if (attempt.primitive >= trace.primitiveCount())
-        return QStringLiteral("Not recorded: the recording ended at its limit before this pixel.");
+        return u"Not recorded: the recording ended at its limit before this pixel."_s;
     if (attempt.sample)
-        return QStringLiteral("Missing: the truth covers it, but the kernel refused the sample.")
+        return u"Missing: the truth covers it, but the kernel refused the sample."_s
             + (attempt.kind == PrimitiveKind::Triangle ? deciderText(attempt, traced) : QString());
     if (trace.isCut())
-        return QStringLiteral("Not recorded: the recording ended at its limit before this pixel.");
+        return u"Not recorded: the recording ended at its limit before this pixel."_s;
     if (!attempt.span)
-        return QStringLiteral("Missing: the truth covers it, the kernel did not come here.")
+        return u"Missing: the truth covers it, the kernel did not come here."_s
             + stepBesideText(attempt, traced, x, y);
     if (attempt.kind == PrimitiveKind::Line)
-        return QStringLiteral("Missing: the truth covers it, but the line's pixel here is another.")
+        return u"Missing: the truth covers it, but the line's pixel here is another."_s
             + stepBesideText(attempt, traced, x, y) + tieOfShapeText(attempt, traced, x, y);
     const SpanRecord &span = *attempt.span;
     const std::int64_t place = span.place.axis == SpanAxis::Column ? y : x;
     if (span.lower.isNone() && (place < span.firstSample || place >= span.endSample)) {
         const QString decided = stepBesideText(attempt, traced, x, y);
-        const QString line = span.place.axis == SpanAxis::Column ? QStringLiteral("column")
-                                                                 : QStringLiteral("row");
+        const QString line = span.place.axis == SpanAxis::Column ? u"column"_s : u"row"_s;
         if (!decided.isEmpty())
-            return QStringLiteral("Missing: the truth covers it, but in this %1 the kernel fills "
-                                  "only the samples %2 … %3.")
-                       .arg(line)
+            return u"Missing: the truth covers it, but in this %1 the kernel fills "
+                   "only the samples %2 … %3."_s.arg(line)
                        .arg(span.firstSample)
                        .arg(span.endSample - 1)
                 + decided;
         // A box is clipped to the frame.
         return span.firstDrawn < span.endDrawn
-            ? QStringLiteral("Missing: the truth covers it, but in this %1 the kernel tests only "
-                             "the samples %2 … %3.")
-                  .arg(line)
+            ? u"Missing: the truth covers it, but in this %1 the kernel tests only "
+              "the samples %2 … %3."_s.arg(line)
                   .arg(span.firstDrawn)
                   .arg(span.endDrawn - 1)
-            : QStringLiteral("Missing: the truth covers it, but in this %1 the kernel tests no "
-                             "sample of the frame.")
-                  .arg(line);
+            : u"Missing: the truth covers it, but in this %1 the kernel tests no "
+              "sample of the frame."_s.arg(line);
     }
     if (span.lower.isNone())
-        return QStringLiteral("Missing: the truth covers it, the kernel did not write it.");
-    return QStringLiteral("Missing: the truth covers it, but %1.")
-        .arg(boundsText(span, traced.scene.settings.arithmetic));
+        return u"Missing: the truth covers it, the kernel did not write it."_s;
+    return u"Missing: the truth covers it, but %1."_s.arg(
+        boundsText(span, traced.scene.settings.arithmetic));
 }
 
 /// What became of a sample that more than coverage and colour decided.
@@ -200,14 +195,11 @@ QString shadedText(const PixelAttempt &attempt, const TracedScene &traced)
     if (!attempt.written)
         return told;
     const Colour colour = unpacked(attempt.change.after);
-    QString text = QStringLiteral("Writes %1, %2, %3.")
-                       .arg(colour.red())
-                       .arg(colour.green())
-                       .arg(colour.blue());
+    QString text = u"Writes %1, %2, %3."_s.arg(colour.red()).arg(colour.green()).arg(colour.blue());
     if (!told.isEmpty())
         text += u' ' + told;
     if (attempt.sample->clamped)
-        text += QStringLiteral(" A level went outside 0 … 255 and was clamped.");
+        text += u" A level went outside 0 … 255 and was clamped."_s;
     return text;
 }
 
@@ -225,8 +217,7 @@ QString sentencesOn(const PixelAttempt &attempt, const TracedScene &traced, std:
     if (attempt.primitive < traced.trace->primitiveCount()) {
         const auto rejection = rejectionOf(traced, attempt.primitive);
         if (rejection && (!isRefused || isRejectedByKernel(*traced.trace, attempt.primitive)))
-            return (attempt.verdict.covered ? QStringLiteral("Missing: the truth covers it. ")
-                                            : QString())
+            return (attempt.verdict.covered ? u"Missing: the truth covers it. "_s : QString())
                 + rejectionText(*rejection);
     }
     const bool isAntialiasedShape = attempt.kind != PrimitiveKind::Triangle
@@ -242,13 +233,12 @@ QString sentencesOn(const PixelAttempt &attempt, const TracedScene &traced, std:
     }
     QString text = writtenText(attempt);
     if (!attempt.verdict.covered)
-        return text + QStringLiteral(" Extra: the truth does not cover it")
+        return text + u" Extra: the truth does not cover it"_s
             + (attempt.exactColour[0].isNone()
-                   ? QStringLiteral(". ")
-                   : QStringLiteral("; the exact levels are those of %1. ")
-                         .arg(attempt.verdict.zeroArea
-                                  ? QStringLiteral("its segment, prolonged")
-                                  : QStringLiteral("the triangle's plane outside of it")))
+                   ? u". "_s
+                   : u"; the exact levels are those of %1. "_s.arg(
+                       attempt.verdict.zeroArea ? u"its segment, prolonged"_s
+                                                : u"the triangle's plane outside of it"_s))
             + refusalText(attempt, traced, x, y).trimmed() + acceptingText(attempt, traced)
             + variantText(attempt, traced, x, y) + approximation();
     if (attempt.kind != PrimitiveKind::Triangle)
@@ -260,8 +250,7 @@ QString sentencesOn(const PixelAttempt &attempt, const TracedScene &traced, std:
         = oracle::byteColourAt(traced.primitives.triangles[attempt.primitive], attempt.change.x,
                                attempt.change.y, traced.scene.settings.rounding);
     if (packed(exact) != attempt.change.after)
-        text += QStringLiteral(" The exact colour is %1, %2, %3.")
-                    .arg(exact.red())
+        text += u" The exact colour is %1, %2, %3."_s.arg(exact.red())
                     .arg(exact.green())
                     .arg(exact.blue())
             + variantText(attempt, traced, x, y);

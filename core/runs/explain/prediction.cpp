@@ -70,8 +70,7 @@ constexpr double float32Error = 0x1p-22; ///< of a fraction beside a float32: it
 /// The number that a formula computes: the part before "←" or "=".
 QString assignedIn(const QString &symbols)
 {
-    const qsizetype end
-        = std::max(symbols.indexOf(QStringLiteral(" ← ")), symbols.indexOf(QStringLiteral(" = ")));
+    const qsizetype end = std::max(symbols.indexOf(u" ← "_s), symbols.indexOf(u" = "_s));
     return symbols.left(end);
 }
 
@@ -81,16 +80,15 @@ QString askedFor(const QString &symbols)
     const QString assigned = assignedIn(symbols);
     if (!assigned.contains(u' '))
         return assigned;
-    const QString name = symbols.sliced(assigned.size() + QStringLiteral(" = ").size());
-    return QStringLiteral("the %1, %2").arg(assigned, name);
+    const QString name = symbols.sliced(assigned.size() + u" = "_s.size());
+    return u"the %1, %2"_s.arg(assigned, name);
 }
 
 /// "p_k ← p_k₊₁′": it is in the previous row under another name.
 bool isTakenOver(const QString &symbols)
 {
     const QString computed = symbols.sliced(symbols.lastIndexOf(u' ') + 1);
-    return computed.endsWith(u'′')
-        && symbols == assignedIn(symbols) + QStringLiteral(" ← ") + computed;
+    return computed.endsWith(u'′') && symbols == assignedIn(symbols) + u" ← "_s + computed;
 }
 
 /// A count of spans, which the question itself names.
@@ -130,17 +128,16 @@ void addPixelCount(std::vector<Prediction> &predictions,
     };
     Prediction asked = *last;
     asked.title = count->title;
-    asked.words = QStringLiteral("the number of pixels, %1").arg(count->title);
+    asked.words = u"the number of pixels, %1"_s.arg(count->title);
     asked.value = cellOf(span);
     asked.exact = {};
     asked.earlier = trace.beginsPart(span) ? Quantity() : cellOf(span - 1);
-    asked.rule = QStringLiteral("%1 = %2 − %3 + 1").arg(count->title, last->title, first->title);
-    asked.reason
-        = QStringLiteral("%1 = %2 − %3 + 1").arg(asked.rule, term(last->value), term(first->value));
+    asked.rule = u"%1 = %2 − %3 + 1"_s.arg(count->title, last->title, first->title);
+    asked.reason = u"%1 = %2 − %3 + 1"_s.arg(asked.rule, term(last->value), term(first->value));
     const double whole = last->value.toDouble() - first->value.toDouble() + 1;
     if (asked.value.toDouble() != whole) {
-        asked.rule = QStringLiteral("%1 = those of %2 … %3 that are in the frame")
-                         .arg(count->title, first->title, last->title);
+        asked.rule = u"%1 = those of %2 … %3 that are in the frame"_s.arg(
+            count->title, first->title, last->title);
         asked.reason = asked.rule;
     }
     predictions.insert(last + 1, asked);
@@ -158,16 +155,14 @@ const FormulaLine *lineOf(const Explanation &explanation, const FormulaLine &lik
 QString titleOf(const QString &symbols)
 {
     const QString assigned = assignedIn(symbols);
-    return isRounding(symbols) ? symbols.sliced(assigned.size() + QStringLiteral(" = ").size())
-                               : assigned;
+    return isRounding(symbols) ? symbols.sliced(assigned.size() + u" = "_s.size()) : assigned;
 }
 
 /// The formula with its numbers, which may be the value already: y_B ← y₀ = 4.
 QString reasonOf(const FormulaLine &line)
 {
-    return line.substituted == term(line.used)
-        ? line.symbols
-        : line.symbols + QStringLiteral(" = ") + line.substituted;
+    return line.substituted == term(line.used) ? line.symbols
+                                               : line.symbols + u" = "_s + line.substituted;
 }
 
 /// Reads a decimal comma as a point; several commas are no decimal.
@@ -216,8 +211,7 @@ bool isCutOff(double typed, double value, int places)
 bool isRounding(const QString &rule)
 {
     const QString computed = rule.sliced(assignedIn(rule).size());
-    return computed.startsWith(QStringLiteral(" = ⌈"))
-        || computed.startsWith(QStringLiteral(" = ⌊"));
+    return computed.startsWith(u" = ⌈"_s) || computed.startsWith(u" = ⌊"_s);
 }
 
 bool asksForWhole(const Prediction &prediction)

@@ -128,7 +128,7 @@ private:
         FormulaLine line;
         line.symbols = number.name;
         if (!number.formula.isEmpty()) {
-            line.symbols += QStringLiteral(" = ") + number.formula;
+            line.symbols += u" = "_s + number.formula;
             line.substituted = names.substituted(number);
         }
         line.used = Quantity::of(number.used);
@@ -174,15 +174,15 @@ private:
         const auto add = [&](const QString &name, double value) {
             names.add(clipName(name, vertex), Quantity::of(value));
         };
-        add(QStringLiteral("x_clip"), from.clip.x);
-        add(QStringLiteral("y_clip"), from.clip.y);
-        add(QStringLiteral("z_clip"), from.clip.z);
-        add(QStringLiteral("w"), from.clip.w);
-        add(QStringLiteral("u"), from.texture[0]);
-        add(QStringLiteral("v"), from.texture[1]);
+        add(u"x_clip"_s, from.clip.x);
+        add(u"y_clip"_s, from.clip.y);
+        add(u"z_clip"_s, from.clip.z);
+        add(u"w"_s, from.clip.w);
+        add(u"u"_s, from.texture[0]);
+        add(u"v"_s, from.texture[1]);
         for (std::size_t channel = 0; channel < 3; ++channel)
             add(QString(channelLetters[channel]), from.levels[channel]);
-        add(QStringLiteral("α"), from.levels[3]);
+        add(u"α"_s, from.levels[3]);
     }
 
     const FaceStages &m_stages;

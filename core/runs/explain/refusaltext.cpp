@@ -45,7 +45,7 @@ Quantity edgeFunctionAt(const LatticePoint &from, const LatticePoint &to, const 
 /// Whether the method's set-up has its own number of this kind for each edge: "s_0".
 bool hasForEachEdge(const TracedScene &traced, const char *id)
 {
-    return hasNumber(traced.trace->numbers().setUp, QString::fromLatin1(id) + QStringLiteral("_0"));
+    return hasNumber(traced.trace->numbers().setUp, QString::fromLatin1(id) + u"_0"_s);
 }
 
 /// On which sides of an edge the off-screen point and the triangle lie, in the method's numbers:
@@ -63,10 +63,10 @@ QString sidesText(const TracedScene &traced, std::size_t index, const oracle::Ed
     const Quantity product = productOf(functionAt(facing), functionAt(offScreenPoint));
     const bool isOnSameSide = product.numerator() > 0;
     const auto text = [&](const Quantity &there, const Quantity &here, const Quantity &both) {
-        return QStringLiteral("the edge's function is %1 at the off-screen point %2 and %3 at the "
-                              "vertex that faces it; their product, %4, is %5 0")
-            .arg(term(there), pointText(offScreenPoint), term(here), term(both),
-                 isOnSameSide ? QStringLiteral("above") : QStringLiteral("not above"));
+        return u"the edge's function is %1 at the off-screen point %2 and %3 at the "
+               "vertex that faces it; their product, %4, is %5 0"_s.arg(
+                   term(there), pointText(offScreenPoint), term(here), term(both),
+                   isOnSameSide ? u"above"_s : u"not above"_s);
     };
     // A solved system's equations are scaled differently, each edge on its own.
     if (hasForEachEdge(traced, "q")) {
@@ -74,9 +74,8 @@ QString sidesText(const TracedScene &traced, std::size_t index, const oracle::Ed
         const ScanTrace &exact = traced.exactTrace ? *traced.exactTrace : *traced.trace;
         const SetUpRecord setUp = exact.setUp(index);
         const NamedNumbers numbers(exact.numbers().setUp, setUp.cells);
-        return text(numbers[QStringLiteral("E_%1_r").arg(line)],
-                    numbers[QStringLiteral("F_%1").arg(line)],
-                    numbers[QStringLiteral("tie_product_%1").arg(line)]);
+        return text(numbers[u"E_%1_r"_s.arg(line)], numbers[u"F_%1"_s.arg(line)],
+                    numbers[u"tie_product_%1"_s.arg(line)]);
     }
     // Swapped sides make a function positive inside.
     const bool isExchanged = hasForEachEdge(traced, "s") && functionAt(facing).numerator() < 0;
@@ -97,19 +96,18 @@ QString placeText(const TracedScene &traced, const Triangle &triangle,
     const bool isAtLargerX = isCounterClockwise == (to.y < from.y);
     const bool isAtLargerY = isCounterClockwise == (to.x > from.x);
     if (traced.scene.settings.fillRule == FillRule::TopLeft && from.y != to.y)
-        return isAtLargerX
-            ? QStringLiteral("the triangle lies at larger x, so the edge is a left one")
-            : QStringLiteral("the triangle lies at smaller x, so the edge is a right one");
+        return isAtLargerX ? u"the triangle lies at larger x, so the edge is a left one"_s
+                           : u"the triangle lies at smaller x, so the edge is a right one"_s;
     if (traced.scene.settings.fillRule == FillRule::TopLeft) {
         const bool isBelow = isAtLargerY == (traced.scene.frame.origin == FrameOrigin::TopLeft);
-        return isBelow ? QStringLiteral("the edge is level, and the triangle lies below it")
-                       : QStringLiteral("the edge is level, and the triangle lies above it");
+        return isBelow ? u"the edge is level, and the triangle lies below it"_s
+                       : u"the edge is level, and the triangle lies above it"_s;
     }
     if (from.x != to.x)
-        return isAtLargerY ? QStringLiteral("the triangle lies at larger y of the edge")
-                           : QStringLiteral("the triangle lies at smaller y of the edge");
-    return isAtLargerX ? QStringLiteral("the edge is upright, and the triangle lies at larger x")
-                       : QStringLiteral("the edge is upright, and the triangle lies at smaller x");
+        return isAtLargerY ? u"the triangle lies at larger y of the edge"_s
+                           : u"the triangle lies at smaller y of the edge"_s;
+    return isAtLargerX ? u"the edge is upright, and the triangle lies at larger x"_s
+                       : u"the edge is upright, and the triangle lies at smaller x"_s;
 }
 
 } // namespace
@@ -119,9 +117,8 @@ QString tieText(const TracedScene &traced, std::size_t triangle, const oracle::E
 {
     const FillRule rule = traced.scene.settings.fillRule;
     const auto givenTo = [&](const QString &side) {
-        const QString given
-            = QStringLiteral("the rule %1 gives it to %2").arg(nameText(nameOf(rule)), side);
-        return given + QStringLiteral(": ")
+        const QString given = u"the rule %1 gives it to %2"_s.arg(nameText(nameOf(rule)), side);
+        return given + u": "_s
             + (rule == FillRule::OffScreenPoint
                    ? sidesText(traced, triangle, edge)
                    : placeText(traced, traced.primitives.triangles[triangle], edge));
@@ -136,19 +133,18 @@ QString tieText(const TracedScene &traced, std::size_t triangle, const oracle::E
     if (std::ranges::find_if(there.edges, isSame)->accepts)
         return givenTo("the other side");
     if (rule == FillRule::OffScreenPoint)
-        return QStringLiteral(
-            "the off-screen point lies on this edge's line too: neither side owns it");
-    return QStringLiteral("the rule %1 gives it to neither side").arg(nameText(nameOf(rule)));
+        return u"the off-screen point lies on this edge's line too: neither side owns it"_s;
+    return u"the rule %1 gives it to neither side"_s.arg(nameText(nameOf(rule)));
 }
 
 namespace {
 
 /// Whether it is u + v of Cramer's rule, which decides by 1 in place of 0.
-bool isSum(const SampleDecision &decision) { return decision.title == QStringLiteral("s"); }
+bool isSum(const SampleDecision &decision) { return decision.title == u"s"_s; }
 
 QString nameOf(const SampleDecision &decision)
 {
-    return isSum(decision) ? QStringLiteral("s = u + v") : decision.title;
+    return isSum(decision) ? u"s = u + v"_s : decision.title;
 }
 
 /// "γ = 0": the numbers by which the run has the sample on an edge.
@@ -158,7 +154,7 @@ QStringList tiesOf(std::span<const SampleDecision> decisions)
     for (const SampleDecision &decision : decisions) {
         const double onEdge = isSum(decision) ? 1 : 0;
         if (!decision.value.isNone() && decision.value.toDouble() == onEdge)
-            ties.append(QStringLiteral("%1 = %2").arg(nameOf(decision), term(decision.value)));
+            ties.append(u"%1 = %2"_s.arg(nameOf(decision), term(decision.value)));
     }
     return ties;
 }
@@ -168,13 +164,12 @@ QString aboveOneText(const TracedScene &traced, std::span<const SampleDecision> 
 {
     const bool isBounded
         = std::ranges::any_of(traced.method->pseudocode, [](const PseudocodeLine &line) {
-              return line.text.contains(QStringLiteral("α ≤ 1"));
+              return line.text.contains(u"α ≤ 1"_s);
           });
     for (const SampleDecision &decision : decisions) {
         const bool isAbove = !decision.value.isNone() && decision.value.toDouble() > 1;
         if (isAbove && (isBounded || isSum(decision)))
-            return QStringLiteral("Refused: %1 = %2 is above 1.")
-                .arg(nameOf(decision), term(decision.value));
+            return u"Refused: %1 = %2 is above 1."_s.arg(nameOf(decision), term(decision.value));
     }
     return {};
 }
@@ -198,12 +193,11 @@ QString refusalSentence(const TracedScene &traced, std::size_t triangle, const S
     QStringList failed;
     for (const SampleDecision &decision : decisions) {
         if (!decision.value.isNone() && decision.value.toDouble() < 0)
-            failed.append(QStringLiteral("%1 = %2").arg(decision.title, term(decision.value)));
+            failed.append(u"%1 = %2"_s.arg(decision.title, term(decision.value)));
     }
     if (!failed.isEmpty())
-        return QStringLiteral("Refused: %1 %2 negative.")
-            .arg(failed.join(QStringLiteral(", ")),
-                 failed.size() == 1 ? QStringLiteral("is") : QStringLiteral("are"));
+        return u"Refused: %1 %2 negative."_s.arg(failed.join(u", "_s),
+                                                 failed.size() == 1 ? u"is"_s : u"are"_s);
 
     QStringList unordered;
     for (const SampleDecision &decision : decisions) {
@@ -211,11 +205,10 @@ QString refusalSentence(const TracedScene &traced, std::size_t triangle, const S
             unordered.append(decision.title);
     }
     if (!unordered.isEmpty())
-        return QStringLiteral("Refused: %1 not a number in the run's arithmetic, so every "
-                              "comparison with %2 fails.")
-            .arg(unordered.join(QStringLiteral(", "))
-                     + (unordered.size() == 1 ? QStringLiteral(" is") : QStringLiteral(" are")),
-                 unordered.size() == 1 ? QStringLiteral("it") : QStringLiteral("them"));
+        return u"Refused: %1 not a number in the run's arithmetic, so every "
+               "comparison with %2 fails."_s.arg(
+                   unordered.join(u", "_s) + (unordered.size() == 1 ? u" is"_s : u" are"_s),
+                   unordered.size() == 1 ? u"it"_s : u"them"_s);
 
     const QString above = aboveOneText(traced, decisions);
     if (!above.isEmpty())
@@ -223,24 +216,23 @@ QString refusalSentence(const TracedScene &traced, std::size_t triangle, const S
     const oracle::SampleVerdict verdict
         = verdictOn(traced.primitives.triangles[triangle], traced, sample.x, sample.y);
     if (verdict.zeroArea)
-        return QStringLiteral("Refused: the triangle has no area, and %1.")
-            .arg(segmentText(traced.primitives.triangles[triangle], sample.x, sample.y));
+        return u"Refused: the triangle has no area, and %1."_s.arg(
+            segmentText(traced.primitives.triangles[triangle], sample.x, sample.y));
     const SetUpRecord setUp = traced.trace->setUp(triangle);
     QStringList ties;
     for (const oracle::EdgeVerdict &edge : verdict.edges) {
         if (edge.edgeFunction == 0 && !edge.accepts)
-            ties.append(QStringLiteral("exactly on %1, and %2")
-                            .arg(edgeName(setUp, edge.from, edge.to),
-                                 tieText(traced, triangle, edge, sample.x, sample.y)));
+            ties.append(u"exactly on %1, and %2"_s.arg(
+                edgeName(setUp, edge.from, edge.to),
+                tieText(traced, triangle, edge, sample.x, sample.y)));
     }
     if (!ties.isEmpty())
-        return QStringLiteral("Refused: the sample lies %1.")
-            .arg(ties.join(QStringLiteral("; it lies ")));
+        return u"Refused: the sample lies %1."_s.arg(ties.join(u"; it lies "_s));
     if (const QStringList met = tiesOf(decisions); !met.isEmpty())
-        return QStringLiteral("Refused: by the run's numbers the sample lies on an edge, %1, and "
-                              "the rule %2 leaves it out.")
-            .arg(met.join(QStringLiteral(", ")), nameText(nameOf(traced.scene.settings.fillRule)));
-    return QStringLiteral("Refused by rounding: no test of the run says why.");
+        return u"Refused: by the run's numbers the sample lies on an edge, %1, and "
+               "the rule %2 leaves it out."_s.arg(met.join(u", "_s),
+                                                  nameText(nameOf(traced.scene.settings.fillRule)));
+    return u"Refused by rounding: no test of the run says why."_s;
 }
 
 QString noPartText(const TracedScene &traced)
@@ -250,9 +242,9 @@ QString noPartText(const TracedScene &traced)
         break;
     case Antialiasing::Samples4:
     case Antialiasing::Samples16:
-        return QStringLiteral("No sample of the pixel lies in the triangle.");
+        return u"No sample of the pixel lies in the triangle."_s;
     case Antialiasing::Area:
-        return QStringLiteral("The triangle covers no part of the pixel's square.");
+        return u"The triangle covers no part of the pixel's square."_s;
     }
     return {};
 }

@@ -149,9 +149,7 @@ std::optional<Rejection> rejectionOf(const TracedScene &traced, std::size_t prim
 
 QString RejectedPrimitive::message() const
 {
-    return QStringLiteral("primitive %1 (%2): %3")
-        .arg(primitive)
-        .arg(nameOf(kind), rejectionText(rejection));
+    return u"primitive %1 (%2): %3"_s.arg(primitive).arg(nameOf(kind), rejectionText(rejection));
 }
 
 std::vector<RejectedPrimitive> rejectedPrimitives(const SceneRun &run)

@@ -43,9 +43,9 @@ public:
     {
         QStringList texts;
         for (std::size_t i = 0; i < m_found.size(); ++i) {
-            texts.append(m_found[i].join(QStringLiteral("; ")));
+            texts.append(m_found[i].join(u"; "_s));
             if (m_hasOthers[i] && !m_found[i].isEmpty())
-                texts.back() += QStringLiteral("; other values by no formula of this list");
+                texts.back() += u"; other values by no formula of this list"_s;
         }
         return texts;
     }

@@ -14,9 +14,9 @@ namespace {
 QString areaText(const LatticePoint &first, const LatticePoint &last, const LatticePoint &sample)
 {
     const Quantity area = Quantity::rational(doubledArea(first, last, sample), squareUnitsPerPixel);
-    return differenceText(last.x, first.x) + u'·' + differenceText(sample.y, first.y)
-        + QStringLiteral(" − ") + differenceText(last.y, first.y) + u'·'
-        + differenceText(sample.x, first.x) + QStringLiteral(" = ") + term(area);
+    return differenceText(last.x, first.x) + u'·' + differenceText(sample.y, first.y) + u" − "_s
+        + differenceText(last.y, first.y) + u'·' + differenceText(sample.x, first.x) + u" = "_s
+        + term(area);
 }
 
 } // namespace
@@ -28,17 +28,15 @@ QString segmentText(const Triangle &triangle, std::int64_t x, std::int64_t y)
     const LatticePoint last = segment.last().position;
     const LatticePoint sample = latticePixel(x, y);
     if (first == last)
-        return QStringLiteral("its vertices are all at %1, which is %2the sample")
-            .arg(pointText(first), first == sample ? QString() : QStringLiteral("not "));
-    const QString its
-        = QStringLiteral("its segment from %1 to %2 ").arg(pointText(first), pointText(last));
+        return u"its vertices are all at %1, which is %2the sample"_s.arg(
+            pointText(first), first == sample ? QString() : u"not "_s);
+    const QString its = u"its segment from %1 to %2 "_s.arg(pointText(first), pointText(last));
     const QString area = areaText(first, last, sample);
     if (segment.covers(x, y))
-        return its + QStringLiteral("passes through the sample: ") + area;
+        return its + u"passes through the sample: "_s + area;
     if (doubledArea(first, last, sample) == 0)
-        return its
-            + QStringLiteral("lies in line with the sample, %1, but does not reach it").arg(area);
-    return its + QStringLiteral("passes the sample by: %1, not 0").arg(area);
+        return its + u"lies in line with the sample, %1, but does not reach it"_s.arg(area);
+    return its + u"passes the sample by: %1, not 0"_s.arg(area);
 }
 
 } // namespace pixelplumb

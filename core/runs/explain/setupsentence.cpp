@@ -17,12 +17,11 @@ QString pointsText(const std::vector<Vertex> &vertices)
 {
     QStringList points;
     for (std::size_t i = 0; i < std::min(vertices.size(), namedVertices); ++i)
-        points.append(QStringLiteral("P%1 = %2")
-                          .arg(QChar(char16_t(u'₀' + i)))
-                          .arg(pointText(vertices[i].position)));
+        points.append(
+            u"P%1 = %2"_s.arg(QChar(char16_t(u'₀' + i))).arg(pointText(vertices[i].position)));
     if (vertices.size() > namedVertices)
-        points.append(QStringLiteral("… %1 in all").arg(vertices.size()));
-    return points.join(QStringLiteral(", ")) + u'.';
+        points.append(u"… %1 in all"_s.arg(vertices.size()));
+    return points.join(u", "_s) + u'.';
 }
 
 /// "Centre (32, 32), radius 7."
@@ -30,12 +29,11 @@ QString roundText(const Shape &shape)
 {
     const LatticePoint &centre = shape.vertices[0].position;
     const LatticePoint &corner = shape.vertices[1].position;
-    const QString text = QStringLiteral("Centre %1, ").arg(pointText(centre));
+    const QString text = u"Centre %1, "_s.arg(pointText(centre));
     const QString along = term(pixels(corner.x - centre.x));
-    return shape.kind == PrimitiveKind::Circle ? text + QStringLiteral("radius %1.").arg(along)
-                                               : text
-            + QStringLiteral("radius %1 along x, %2 along y.")
-                  .arg(along, term(pixels(corner.y - centre.y)));
+    return shape.kind == PrimitiveKind::Circle
+        ? text + u"radius %1."_s.arg(along)
+        : text + u"radius %1 along x, %2 along y."_s.arg(along, term(pixels(corner.y - centre.y)));
 }
 
 /// Where a primitive is, in sample coordinates.
@@ -57,9 +55,9 @@ QString placeOfPrimitive(const TracedScene &traced, std::size_t primitive)
 QString variantText(Variant variant, SpanAxis axis)
 {
     const VariantWords &words = wordsOf(variant, axis);
-    return QStringLiteral(" Variant “%1”: %2, in place of %3. %4")
-        .arg(nameText(words.title), nameText(words.printed), nameText(words.right),
-             nameText(words.fault));
+    return u" Variant “%1”: %2, in place of %3. %4"_s.arg(
+        nameText(words.title), nameText(words.printed), nameText(words.right),
+        nameText(words.fault));
 }
 
 /// Which settings of the walk are not a right program's.
@@ -71,8 +69,7 @@ QString bugsText(const ScanBugs &bugs)
             ids += nameText(setting.id);
     }
     return ids.isEmpty() ? QString()
-                         : QStringLiteral(" A program's mistakes are imitated, in: %1.")
-                               .arg(ids.join(QStringLiteral(", ")));
+                         : u" A program's mistakes are imitated, in: %1."_s.arg(ids.join(u", "_s));
 }
 
 } // namespace
@@ -86,10 +83,10 @@ QString setUpSentence(const TracedScene &traced, std::size_t primitive, const QS
         sentence += variantText(variant, traced.method->spanAxis);
     sentence += bugsText(traced.scene.settings.bugs);
     if (!traced.scene.settings.testBugs.isRight())
-        sentence += QStringLiteral(" A program's mistakes are imitated in its edge tests.");
+        sentence += u" A program's mistakes are imitated in its edge tests."_s;
     if (traced.scene.frame.pixelCentre == PixelCentre::Half)
-        sentence += QStringLiteral(" All coordinates are counted from the centre of pixel (0, 0): "
-                                   "½ px less than the scene's.");
+        sentence += u" All coordinates are counted from the centre of pixel (0, 0): "
+                    "½ px less than the scene's."_s;
     return sentence;
 }
 

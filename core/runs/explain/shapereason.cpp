@@ -31,7 +31,7 @@ QString tieOfPolygonText(const Shape &polygon, FillRule rule, const LatticePoint
         edges, [&sample](const ContourEdge &edge) { return isOn(edge, sample); });
     return found == edges.end()
         ? QString()
-        : QStringLiteral(" The sample lies exactly on edge %1, and the rule %2 leaves it outside.")
+        : u" The sample lies exactly on edge %1, and the rule %2 leaves it outside."_s
               .arg(found - edges.begin())
               .arg(nameText(nameOf(rule)));
 }
@@ -48,12 +48,11 @@ QString tieOfLineText(const Shape &line, std::int64_t x, std::int64_t y)
     const std::int64_t greater = truth.nearestAt(along);
     if (across != greater && across != greater - 1)
         return {};
-    const QString axis = truth.isSteep() ? QStringLiteral("x") : QStringLiteral("y");
-    return QStringLiteral(" A tie: the exact line passes midway between %1 = %2 and %1 = %3 "
-                          "here, and the truth takes the greater one.")
-        .arg(axis)
-        .arg(greater - 1)
-        .arg(greater);
+    const QString axis = truth.isSteep() ? u"x"_s : u"y"_s;
+    return u" A tie: the exact line passes midway between %1 = %2 and %1 = %3 "
+           "here, and the truth takes the greater one."_s.arg(axis)
+               .arg(greater - 1)
+               .arg(greater);
 }
 
 /// What a step says, where its numbers may be rounded "as computed": exact ones stand beside them.
@@ -61,8 +60,8 @@ QString stepText(const TracedScene &traced, std::size_t span)
 {
     const QString told = traced.trace->spanWords(span).sentence;
     const QString pattern = traced.scene.settings.arithmetic == Arithmetic::Exact
-        ? QStringLiteral(" %1: %2")
-        : QStringLiteral(" %1, as computed: %2");
+        ? u" %1: %2"_s
+        : u" %1, as computed: %2"_s;
     return told.isEmpty() ? told : pattern.arg(spanHeading(*traced.trace, span), told);
 }
 
@@ -105,7 +104,7 @@ QString stepsNextToText(const TracedScene &traced, std::size_t primitive, std::i
         if (const auto nearest = nearestWritten(trace, primitive, x, y))
             spans.push_back(trace.spanOf(*nearest));
         else if (!trace.isCut())
-            return QStringLiteral(" None of its steps writes a pixel of the frame.");
+            return u" None of its steps writes a pixel of the frame."_s;
     }
     std::ranges::sort(spans);
     QString text;
@@ -123,8 +122,8 @@ bool isInFrame(const ScanTrace &trace, std::size_t span)
 /// "rows 2 … 3", "row 3"
 QString linesText(const QString &kind, std::int64_t first, std::int64_t last)
 {
-    return first == last ? QStringLiteral("%1 %2").arg(kind).arg(first)
-                         : QStringLiteral("%1s %2 … %3").arg(kind).arg(first).arg(last);
+    return first == last ? u"%1 %2"_s.arg(kind).arg(first)
+                         : u"%1s %2 … %3"_s.arg(kind).arg(first).arg(last);
 }
 
 /// That a line's walk has no step on the pixel's column or row.
@@ -141,22 +140,18 @@ QString noStepText(const PixelAttempt &attempt, const ScanTrace &trace, std::int
         if (isInFrame(trace, span))
             places.push_back(trace.placeOf(span).coordinate);
     }
-    const QString kind = isRow ? QStringLiteral("row") : QStringLiteral("column");
+    const QString kind = isRow ? u"row"_s : u"column"_s;
     const auto [least, greatest] = std::ranges::minmax_element(places);
-    return QStringLiteral(
-               " The walk along the line has no step on the %1 %2: in the frame it has %3.")
-        .arg(kind)
+    return u" The walk along the line has no step on the %1 %2: in the frame it has %3."_s.arg(kind)
         .arg(isRow ? y : x)
-        .arg(places.empty() ? QStringLiteral("none")
-                            : QStringLiteral("steps on the ") + linesText(kind, *least, *greatest));
+        .arg(places.empty() ? u"none"_s : u"steps on the "_s + linesText(kind, *least, *greatest));
 }
 
 /// That a circle ends before the pixel's column or row; `first` and `last` are those that it meets.
 QString beyondCircleText(const PixelAttempt &attempt, const QString &kind, std::int64_t place,
                          std::int64_t first, std::int64_t last)
 {
-    return QStringLiteral(" The %1 %2 does not meet the %3, which meets the frame's %4.")
-        .arg(kind)
+    return u" The %1 %2 does not meet the %3, which meets the frame's %4."_s.arg(kind)
         .arg(place)
         .arg(nameOf(attempt.kind), linesText(kind, first, last));
 }
@@ -165,7 +160,7 @@ QString beyondCircleText(const PixelAttempt &attempt, const QString &kind, std::
 std::optional<std::int64_t> firstColumnOf(const ScanTrace &trace, std::size_t primitive)
 {
     const NumberDescription &first = trace.numbers().span.front();
-    if (first.id != QStringLiteral("x") || first.group != NumberGroup::Position)
+    if (first.id != u"x"_s || first.group != NumberGroup::Position)
         return std::nullopt;
     return std::int64_t(trace.span(trace.firstSpanOf(primitive)).cells.front().numerator());
 }
@@ -178,23 +173,20 @@ QString stepOfColumnText(const PixelAttempt &attempt, const TracedScene &traced,
     const auto count = std::int64_t(traced.trace->endSpanOf(attempt.primitive) - first);
     if (x >= firstColumn && x < firstColumn + count)
         return stepText(traced, first + std::size_t(x - firstColumn));
-    return traced.trace->isCut() ? QString()
-                                 : beyondCircleText(attempt, QStringLiteral("column"), x,
-                                                    firstColumn, firstColumn + count - 1);
+    return traced.trace->isCut()
+        ? QString()
+        : beyondCircleText(attempt, u"column"_s, x, firstColumn, firstColumn + count - 1);
 }
 
 /// That a fill has no span on the pixel's row.
 QString noRowText(const PixelAttempt &attempt, const ScanTrace &trace, std::int64_t y)
 {
     if (attempt.kind == PrimitiveKind::Circle || attempt.kind == PrimitiveKind::Ellipse)
-        return beyondCircleText(attempt, QStringLiteral("row"), y,
+        return beyondCircleText(attempt, u"row"_s, y,
                                 trace.placeOf(trace.firstSpanOf(attempt.primitive)).coordinate,
                                 trace.placeOf(trace.endSpanOf(attempt.primitive) - 1).coordinate);
-    return QStringLiteral(" The row %1 crosses none of its %2.")
-        .arg(y)
-        .arg(hasNumber(trace.numbers().span, QStringLiteral("triangle"))
-                 ? QStringLiteral("triangles")
-                 : QStringLiteral("edges"));
+    return u" The row %1 crosses none of its %2."_s.arg(y).arg(
+        hasNumber(trace.numbers().span, u"triangle"_s) ? u"triangles"_s : u"edges"_s);
 }
 
 /// What the span says in which the pixel was passed over, or between which bounds it fills.
@@ -203,9 +195,8 @@ QString spanText(const TracedScene &traced, std::size_t span)
     const SpanRecord record = traced.trace->span(span);
     if (const QString told = stepText(traced, span); !told.isEmpty() || record.lower.isNone())
         return told;
-    return QStringLiteral(" %1: %2.")
-        .arg(spanHeading(*traced.trace, span),
-             boundsText(record, traced.scene.settings.arithmetic));
+    return u" %1: %2."_s.arg(spanHeading(*traced.trace, span),
+                             boundsText(record, traced.scene.settings.arithmetic));
 }
 
 } // namespace
@@ -286,14 +277,11 @@ QString approximationText(const ScanTrace &trace, std::size_t primitive)
         return {};
     const SetUpRecord setUp = trace.setUp(primitive);
     const NamedNumbers numbers(trace.numbers().setUp, setUp.cells);
-    if (const Quantity moved = numbers[QStringLiteral("moved")];
-        !moved.isNone() && moved.toDouble() > 0)
-        return QStringLiteral(" Its crossings were moved to multiples of 1/256 px, by %1 px at "
-                              "most, and tilt the edges that meet there.")
-            .arg(moved.toDouble(), 0, 'g', 3);
-    if (!numbers[QStringLiteral("curves")].isNone())
-        return QStringLiteral(
-            " What was filled are its chords, which leave the curves by 1/32 px at most.");
+    if (const Quantity moved = numbers[u"moved"_s]; !moved.isNone() && moved.toDouble() > 0)
+        return u" Its crossings were moved to multiples of 1/256 px, by %1 px at "
+               "most, and tilt the edges that meet there."_s.arg(moved.toDouble(), 0, 'g', 3);
+    if (!numbers[u"curves"_s].isNone())
+        return u" What was filled are its chords, which leave the curves by 1/32 px at most."_s;
     return {};
 }
 

@@ -55,8 +55,8 @@ TriangleAttributes readAttributes(JsonReader &json, NumberReader &numbers, const
     readEach(json, triangle[divisorKey], vertices, [&](const JsonNode &node, auto &vertex) {
         vertex.w = numbers.attribute(node);
         if (vertex.w <= 0)
-            json.fail(node, QStringLiteral("w of ") + numberText(vertex.w, attributeFormat),
-                      QStringLiteral("1/%1 or more").arg(attributeOne));
+            json.fail(node, u"w of "_s + numberText(vertex.w, attributeFormat),
+                      u"1/%1 or more"_s.arg(attributeOne));
     });
     readEach(json, triangle[textureKey], vertices, [&](const JsonNode &node, auto &vertex) {
         vertex.texture = numbers.attributes<2>(node);
@@ -65,7 +65,7 @@ TriangleAttributes readAttributes(JsonReader &json, NumberReader &numbers, const
         vertex.normal = numbers.attributes<3>(node);
         if (vertex.normal == std::array<Attribute, 3>{})
             json.fail(node, "a normal of length 0",
-                      QStringLiteral("a component of ±1/%1 or more").arg(attributeOne));
+                      u"a component of ±1/%1 or more"_s.arg(attributeOne));
     });
     attributes.material = readMaterialName(json, triangle[materialKey], materials);
     return attributes;
@@ -83,8 +83,8 @@ int readMaterialName(JsonReader &json, const JsonNode &node, const std::vector<M
     for (const Material &material : materials)
         names.append(QString::fromStdString(material.name));
     json.fail(node, describe(node),
-              names.isEmpty() ? QStringLiteral("one of the scene's \"materials\", which has none")
-                              : QStringLiteral("one of ") + names.join(QStringLiteral(", ")));
+              names.isEmpty() ? u"one of the scene's \"materials\", which has none"_s
+                              : u"one of "_s + names.join(u", "_s));
     return noMaterial;
 }
 

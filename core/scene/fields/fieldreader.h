@@ -64,8 +64,7 @@ public:
                 return;
             }
         }
-        m_json.fail(node, describe(node),
-                    QStringLiteral("one of ") + words.join(QStringLiteral(", ")));
+        m_json.fail(node, describe(node), u"one of "_s + words.join(u", "_s));
     }
     template <class T>
     void read(const JsonNode &node, std::vector<T> &values)

@@ -74,7 +74,7 @@ double NumberReader::positive(const JsonNode &node, const QString &what)
 {
     const double value = real(node);
     if (value <= 0)
-        m_json.fail(node, QStringLiteral("%1 of %2").arg(what, describe(node)), "more than 0");
+        m_json.fail(node, u"%1 of %2"_s.arg(what, describe(node)), "more than 0");
     return value;
 }
 
@@ -82,8 +82,8 @@ Lattice NumberReader::length(const JsonNode &node, const QString &what)
 {
     const Lattice units = coordinate(node);
     if (units <= 0)
-        m_json.fail(node, QStringLiteral("%1 of %2 px").arg(what, coordinateText(units)),
-                    QStringLiteral("1/%1 px or more").arg(unitsPerPixel));
+        m_json.fail(node, u"%1 of %2 px"_s.arg(what, coordinateText(units)),
+                    u"1/%1 px or more"_s.arg(unitsPerPixel));
     return units;
 }
 
@@ -99,10 +99,10 @@ std::vector<LatticePoint> NumberReader::positions(const JsonNode &node, PointCou
     const std::vector<JsonNode> points = m_json.array(node);
     if (points.size() < count.least || points.size() > count.most) {
         const QString range = count.most == PointCount::any
-            ? QStringLiteral("%1 points or more").arg(count.least)
-            : QStringLiteral("%1 points").arg(count.least)
-                + (count.most > count.least ? QStringLiteral(" or %1").arg(count.most) : QString());
-        m_json.fail(node, describe(node), QStringLiteral("an array of ") + range);
+            ? u"%1 points or more"_s.arg(count.least)
+            : u"%1 points"_s.arg(count.least)
+                + (count.most > count.least ? u" or %1"_s.arg(count.most) : QString());
+        m_json.fail(node, describe(node), u"an array of "_s + range);
     }
     std::vector<LatticePoint> positions;
     for (const JsonNode &point : points) {

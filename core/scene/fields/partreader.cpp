@@ -70,10 +70,9 @@ private:
         field.number = m_numbers.real(node);
         if (!(field.number > field.above && field.number < field.below))
             m_json.fail(node, describe(node),
-                        std::isinf(field.below) ? QStringLiteral("more than %1").arg(field.above)
-                                                : QStringLiteral("more than %1 and less than %2")
-                                                      .arg(field.above)
-                                                      .arg(field.below));
+                        std::isinf(field.below)
+                            ? u"more than %1"_s.arg(field.above)
+                            : u"more than %1 and less than %2"_s.arg(field.above).arg(field.below));
     }
     template <class Choice, class Choices>
     void read(const JsonNode &node, const ChoiceOf<Choice, Choices> &field)
@@ -104,11 +103,8 @@ private:
         readObject(node, frame);
         if (const qint64 area = qint64(frame.width) * frame.height; area > largestFrameArea)
             m_json.fail(node["width"],
-                        QStringLiteral("%1 × %2 are %3 pixels")
-                            .arg(frame.width)
-                            .arg(frame.height)
-                            .arg(area),
-                        QStringLiteral("at most %1 pixels").arg(largestFrameArea));
+                        u"%1 × %2 are %3 pixels"_s.arg(frame.width).arg(frame.height).arg(area),
+                        u"at most %1 pixels"_s.arg(largestFrameArea));
     }
     void read(const JsonNode &node, Motion &motion) { readObject(node, motion); }
 
@@ -121,14 +117,14 @@ private:
         const auto own = QLatin1String(isPerspective ? "fieldOfView" : "height");
         const auto others = QLatin1String(isPerspective ? "height" : "fieldOfView");
         if (const JsonNode foreign = node[others]; !foreign.isMissing())
-            m_json.fail(foreign,
-                        QStringLiteral("“%1” of a camera that is %2")
-                            .arg(others, nameText(nameOf(camera.projection))),
-                        QStringLiteral("“%1”").arg(own));
+            m_json.fail(
+                foreign,
+                u"“%1” of a camera that is %2"_s.arg(others, nameText(nameOf(camera.projection))),
+                u"“%1”"_s.arg(own));
         const JsonNode far = node["far"];
         if (camera.far <= camera.near)
             m_json.fail(far.isMissing() ? node : far,
-                        QStringLiteral("near %1 and far %2").arg(camera.near).arg(camera.far),
+                        u"near %1 and far %2"_s.arg(camera.near).arg(camera.far),
                         "a far plane behind the near one");
         checkDirections(node, camera);
     }
@@ -156,7 +152,7 @@ private:
         if (const auto read = m_files.texture(name))
             texture = *read;
         else
-            m_json.fail(node, QStringLiteral("%1: %2").arg(read.error().place, read.error().found),
+            m_json.fail(node, u"%1: %2"_s.arg(read.error().place, read.error().found),
                         read.error().expected);
     }
     void read(const JsonNode &node, std::vector<Material> &materials)
@@ -173,8 +169,7 @@ private:
     {
         const std::vector<JsonNode> nodes = m_json.array(node);
         if (nodes.size() > mostLights)
-            m_json.fail(node, QStringLiteral("%1 lights").arg(nodes.size()),
-                        QStringLiteral("at most %1").arg(mostLights));
+            m_json.fail(node, u"%1 lights"_s.arg(nodes.size()), u"at most %1"_s.arg(mostLights));
         for (const JsonNode &each : nodes) {
             if (m_json.hasFailed())
                 break;
@@ -187,14 +182,14 @@ private:
         const bool isPositional = node["direction"].isMissing();
         if (isPositional == node["position"].isMissing())
             m_json.fail(node,
-                        isPositional ? QStringLiteral("a light without direction and position")
-                                     : QStringLiteral("both direction and position"),
+                        isPositional ? u"a light without direction and position"_s
+                                     : u"both direction and position"_s,
                         "one of the two");
         light.kind = isPositional ? Light::Kind::Positional : Light::Kind::Directional;
         readFields(node, light);
         if (!isPositional && light.at == std::array<Attribute, 3>{})
             m_json.fail(node["direction"], "a direction of length 0",
-                        QStringLiteral("a component of ±1/%1 or more").arg(attributeOne));
+                        u"a component of ±1/%1 or more"_s.arg(attributeOne));
     }
     void read(const JsonNode &node, std::array<Attribute, 3> &at)
     {

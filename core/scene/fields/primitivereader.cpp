@@ -93,8 +93,7 @@ PrimitiveKind PrimitiveReader::kindOf(const JsonNode &primitive)
     }
     // Reports a misspelt key before the missing primitive.
     expectKeys(primitive, primitiveKeys() + QStringList{colourKey, coloursKey, fillKey});
-    m_json.fail(primitive, "no primitive is named",
-                QStringLiteral("one of ") + primitiveKeys().join(QStringLiteral(", ")));
+    m_json.fail(primitive, "no primitive is named", u"one of "_s + primitiveKeys().join(u", "_s));
     return PrimitiveKind::Triangle;
 }
 
@@ -132,10 +131,10 @@ void PrimitiveReader::readSolid(const JsonNode &primitive, SolidKind kind)
     const QString key = nameText(nameOf(kind));
     const JsonNode node = primitive[key];
     if (hasShapes())
-        m_json.fail(node, QStringLiteral("a %1 after a shape of the frame").arg(key),
+        m_json.fail(node, u"a %1 after a shape of the frame"_s.arg(key),
                     "triangles, then what is seen through the camera, then shapes");
     if (!m_scene.camera)
-        m_json.fail(node, QStringLiteral("a %1 in a scene without a camera").arg(key),
+        m_json.fail(node, u"a %1 in a scene without a camera"_s.arg(key),
                     "a key \"camera\" of the scene: { \"eye\": [0, 0, 5], … }");
     Solid solid = SolidReader(m_json, m_numbers, m_current.files, m_scene.appearance.materials)
                       .read(primitive, kind);
@@ -174,8 +173,7 @@ void PrimitiveReader::readRound(const JsonNode &primitive, Shape &shape)
     }
     const LatticePoint corner = {centre.x + radii.x, centre.y + radii.y};
     if (!isWithinRange(corner) || !isWithinRange({centre.x - radii.x, centre.y - radii.y}))
-        m_json.fail(node,
-                    QStringLiteral("the %1 leaves ±%2 px").arg(key, QString::number(largestPixel)),
+        m_json.fail(node, u"the %1 leaves ±%2 px"_s.arg(key, QString::number(largestPixel)),
                     "a smaller radius or another centre");
     shape.vertices = {{centre, {}}, {corner, {}}};
     shape.fill = fill(primitive[fillKey], shape.kind);
@@ -287,7 +285,7 @@ ShapeFill PrimitiveReader::fill(const JsonNode &node, PrimitiveKind kind)
         if (node.toString() == names.back())
             return each.fill;
     }
-    m_json.fail(node, describe(node), QStringLiteral("one of ") + names.join(QStringLiteral(", ")));
+    m_json.fail(node, describe(node), u"one of "_s + names.join(u", "_s));
     return fills.front().fill;
 }
 

@@ -14,7 +14,8 @@ struct CurrentScene {
     SceneReading reading;
     ReferredFiles files;
     std::size_t solidTriangles = 0; ///< that its solids are cut into so far
-    std::size_t shapeVertices = 0; ///< of its shapes so far; each character of a text counts as several
+    /// Of its shapes so far; each character of a text counts as several.
+    std::size_t shapeVertices = 0;
 };
 
 /// Reads the primitives of a scene; errors stay with the JsonReader.

@@ -37,8 +37,8 @@ bool isTextureFormat(const QByteArray &format)
 
 InputError tooLarge(const QString &path, const QSize &size)
 {
-    return {path, QStringLiteral("a picture of %1 × %2").arg(size.width()).arg(size.height()),
-            QStringLiteral("at most %1 × %1").arg(largestTextureSide)};
+    return {path, u"a picture of %1 × %2"_s.arg(size.width()).arg(size.height()),
+            u"at most %1 × %1"_s.arg(largestTextureSide)};
 }
 
 /// Reads a picture as texels; its transparency is ignored. The size is judged by the header, before
@@ -50,16 +50,15 @@ Result<Texture> readTexture(const QString &path)
         return content.error();
     PictureReader reader(withoutByteOrderMark(*content));
     if (!reader.fault().isEmpty())
-        return InputError{path, QStringLiteral("no picture: ") + reader.fault(), "a whole file"};
+        return InputError{path, u"no picture: "_s + reader.fault(), "a whole file"};
     if (const QByteArray format = reader.format(); !format.isEmpty() && !isTextureFormat(format))
-        return InputError{
-            path, QStringLiteral("a picture of the kind %1").arg(QString::fromLatin1(format)),
-            "a picture such as PNG or JPEG"};
+        return InputError{path, u"a picture of the kind %1"_s.arg(QString::fromLatin1(format)),
+                          "a picture such as PNG or JPEG"};
     if (const QSize size = reader.size(); size.isValid() && !isWithinLimits(size))
         return tooLarge(path, size);
     const QImage picture = reader.read().convertToFormat(QImage::Format_RGB32);
     if (picture.isNull())
-        return InputError{path, QStringLiteral("no picture: ") + reader.errorString(),
+        return InputError{path, u"no picture: "_s + reader.errorString(),
                           "a picture such as PNG or JPEG"};
     if (!isWithinLimits(picture.size()))
         return tooLarge(path, picture.size());
@@ -85,7 +84,7 @@ QString ReferredFiles::pathOf(const QString &name) const
 
 Result<std::shared_ptr<const Texture>> ReferredFiles::texture(const QString &name)
 {
-    const bool isChecker = name == QStringLiteral("checker");
+    const bool isChecker = name == u"checker"_s;
     const QString path = isChecker ? name : pathOf(name);
     if (const auto known = m_textures.value(path))
         return known;
@@ -95,10 +94,9 @@ Result<std::shared_ptr<const Texture>> ReferredFiles::texture(const QString &nam
     m_texels += texture->texels.size();
     if (m_texels > mostTexels)
         return InputError{path,
-                          QStringLiteral("the scene's textures have %1 texels, %2 MiB")
-                              .arg(m_texels)
-                              .arg(m_texels * sizeof(Colour) >> 20),
-                          QStringLiteral("at most %1 in all").arg(mostTexels)};
+                          u"the scene's textures have %1 texels, %2 MiB"_s.arg(m_texels).arg(
+                              m_texels * sizeof(Colour) >> 20),
+                          u"at most %1 in all"_s.arg(mostTexels)};
     return m_textures[path] = std::make_shared<const Texture>(std::move(*texture));
 }
 

@@ -55,15 +55,13 @@ private:
         }
         if (!root.isObject() || format.isMissing()) {
             m_json.fail(format, "no format number: this is no Pixelplumb scene",
-                        QStringLiteral("\"pixelplumb\": %1").arg(sceneFormat));
+                        u"\"pixelplumb\": %1"_s.arg(sceneFormat));
             return;
         }
         const qint64 number = format.toInteger(0);
         if (number > sceneFormat) {
-            m_json.fail(format,
-                        QStringLiteral("written by a newer Pixelplumb (format %1)").arg(number),
-                        QStringLiteral("a format up to %1, the newest that this one reads")
-                            .arg(sceneFormat));
+            m_json.fail(format, u"written by a newer Pixelplumb (format %1)"_s.arg(number),
+                        u"a format up to %1, the newest that this one reads"_s.arg(sceneFormat));
             return;
         }
         m_json.integer(format, 1, sceneFormat);
@@ -114,9 +112,8 @@ private:
         scene.settings = settledFor(*method, scene.settings, open);
         const QString refusal = method->refusal(scene.settings);
         if (!refusal.isEmpty() && open.method)
-            m_json.fail(
-                root[open.fillRule ? QStringLiteral("arithmetic") : QStringLiteral("fillRule")],
-                refusalOfAll(scene, open), {});
+            m_json.fail(root[open.fillRule ? u"arithmetic"_s : u"fillRule"_s],
+                        refusalOfAll(scene, open), {});
         else if (!refusal.isEmpty())
             m_json.fail(refusedNode(*method, root), refusal, {});
     }
@@ -127,8 +124,7 @@ private:
         const ScanSettings &settings = m_current.reading.scene.settings;
         if (!method.supports(settings.arithmetic))
             return root["arithmetic"];
-        return root[method.supports(settings.fillRule) ? QStringLiteral("variants")
-                                                       : QStringLiteral("fillRule")];
+        return root[method.supports(settings.fillRule) ? u"variants"_s : u"fillRule"_s];
     }
 
     JsonReader &m_json;
@@ -142,10 +138,9 @@ QString SnapReport::message() const
 {
     // Smaller ones are kept as the smallest double.
     const bool isTiny = std::abs(snapped.displacement.toDouble()) < 1e-300;
-    return QStringLiteral("%1: %2 is %3 %4, displaced by %5%6")
-        .arg(place, written, QLatin1String(format->use), numberText(snapped.units, *format),
-             isTiny ? QStringLiteral("less than 1e-300") : toText(snapped.displacement),
-             QLatin1String(format->unit));
+    return u"%1: %2 is %3 %4, displaced by %5%6"_s.arg(
+        place, written, QLatin1String(format->use), numberText(snapped.units, *format),
+        isTiny ? u"less than 1e-300"_s : toText(snapped.displacement), QLatin1String(format->unit));
 }
 
 Result<SceneReading> readScene(const QByteArray &text, const ProgressListener &listener,

@@ -193,7 +193,7 @@ void SolidReader::readMesh(const JsonNode &primitive, Solid &solid)
         return;
     const auto mesh = m_files.mesh(name);
     if (!mesh) {
-        m_json.fail(node, QStringLiteral("%1: %2").arg(mesh.error().place, mesh.error().found),
+        m_json.fail(node, u"%1: %2"_s.arg(mesh.error().place, mesh.error().found),
                     mesh.error().expected);
         return;
     }
@@ -216,8 +216,8 @@ void SolidReader::checkReach(const JsonNode &node, const Vector3 &centre, double
     for (const double coordinate : centre)
         reach = std::max(reach, std::abs(coordinate) + radius);
     if (reach > double(largestAttributeValue))
-        m_json.fail(node, QStringLiteral("it reaches to %1").arg(reach),
-                    QStringLiteral("all of it within ±%1").arg(largestAttributeValue));
+        m_json.fail(node, u"it reaches to %1"_s.arg(reach),
+                    u"all of it within ±%1"_s.arg(largestAttributeValue));
 }
 
 } // namespace pixelplumb

@@ -44,17 +44,16 @@ Result<QByteArray> readDevice(const QString &place, QIODevice &device, qint64 mo
     }
     const auto *file = qobject_cast<QFileDevice *>(&device);
     if (file && file->error() != QFileDevice::NoError)
-        return InputError{place, QStringLiteral("cannot be read: ") + file->errorString(), {}};
+        return InputError{place, u"cannot be read: "_s + file->errorString(), {}};
     if (content.size() > most)
-        return InputError{
-            place, QStringLiteral("cannot be read: it is larger than %1 MiB").arg(most >> 20), {}};
+        return InputError{place, u"cannot be read: it is larger than %1 MiB"_s.arg(most >> 20), {}};
     return content;
 }
 
 Result<QByteArray> readFile(const QString &path, qint64 most)
 {
     const auto refusal = [&](const QString &why) {
-        return InputError{path, QStringLiteral("cannot be read: ") + why, {}};
+        return InputError{path, u"cannot be read: "_s + why, {}};
     };
     if (QFileInfo(filePath(path)).isDir())
         return refusal("it is a folder");
@@ -76,7 +75,7 @@ Result<QByteArray> readRegularFile(const QString &path, qint64 most)
 
 InputError errorIn(const QString &path, InputError error)
 {
-    error.place = error.place.isEmpty() ? path : path + QStringLiteral(", ") + error.place;
+    error.place = error.place.isEmpty() ? path : path + u", "_s + error.place;
     return error;
 }
 

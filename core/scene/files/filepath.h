@@ -5,11 +5,13 @@
 
 namespace pixelplumb {
 
+using namespace Qt::StringLiterals;
+
 /// A path that a person wrote, to be given to Qt: it always names a file. Qt takes one that begins
 /// with a colon for a resource of the program.
 inline QString filePath(const QString &path)
 {
-    return path.startsWith(u':') ? QStringLiteral("./") + path : path;
+    return path.startsWith(u':') ? u"./"_s + path : path;
 }
 
 } // namespace pixelplumb

@@ -67,7 +67,7 @@ public:
     InputError error(const QString &name) const
     {
         const QString place
-            = m_line > 0 ? QStringLiteral("%1, line %2").arg(name, QString::number(m_line)) : name;
+            = m_line > 0 ? u"%1, line %2"_s.arg(name, QString::number(m_line)) : name;
         return {place, m_found, m_expected};
     }
     Mesh takeMesh() { return std::move(m_mesh); }
@@ -153,8 +153,8 @@ void MeshBuilder::take(std::vector<Vector3> &all, std::size_t needed)
         const auto [after, error] = std::from_chars(place, end, numbers[i]);
         const bool isNumber = error == std::errc() && (after == end || isBlank(*after));
         if (!isNumber || !(std::abs(numbers[i]) <= double(largestAttributeValue))) {
-            fail(QStringLiteral("“%1”").arg(QString::fromUtf8(line.first(qMin(line.size(), 60)))),
-                 QStringLiteral("%1 numbers within ±%2").arg(needed).arg(largestAttributeValue));
+            fail(u"“%1”"_s.arg(QString::fromUtf8(line.first(qMin(line.size(), 60)))),
+                 u"%1 numbers within ±%2"_s.arg(needed).arg(largestAttributeValue));
             return;
         }
         place = after;
@@ -169,9 +169,9 @@ std::int64_t MeshBuilder::resolved(int index, std::size_t count, const char *wha
     const std::int64_t fromZero = index < 0 ? std::int64_t(count) + index : std::int64_t(index) - 1;
     if (fromZero >= 0 && fromZero < std::int64_t(count))
         return fromZero;
-    fail(QStringLiteral("a face with %1 %2").arg(QLatin1String(what), QString::number(index)),
-         count == 0 ? QStringLiteral("one that stands before the face")
-                    : QStringLiteral("1 to %1, of those before the face").arg(count));
+    fail(u"a face with %1 %2"_s.arg(QLatin1String(what), QString::number(index)),
+         count == 0 ? u"one that stands before the face"_s
+                    : u"1 to %1, of those before the face"_s.arg(count));
     return 0;
 }
 
@@ -200,13 +200,13 @@ void MeshBuilder::takeFace(const tinyobj::index_t *corners, int count)
     const auto wrong = std::find_if(words.begin() + 1, words.end(),
                                     [](const QByteArray &word) { return !isCorner(word); });
     if (wrong != words.end()) {
-        fail(QStringLiteral("a face with a corner “%1”")
-                 .arg(QString::fromUtf8(wrong->first(qMin<qsizetype>(wrong->size(), 40)))),
+        fail(u"a face with a corner “%1”"_s.arg(
+                 QString::fromUtf8(wrong->first(qMin<qsizetype>(wrong->size(), 40)))),
              "1, 1/2, 1//3 or 1/2/3");
         return;
     }
     if (count < 3) {
-        fail(QStringLiteral("a face of %1").arg(count), "3 corners or more");
+        fail(u"a face of %1"_s.arg(count), "3 corners or more");
         return;
     }
     if (m_mesh.faces.size() + std::size_t(count) - 2 > mostSolidTriangles) {

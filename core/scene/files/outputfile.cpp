@@ -66,11 +66,11 @@ std::optional<InputError> OutputFile::open()
         std::error_code ignored;
         if (std::filesystem::is_fifo(QFile::encodeName(m_path).toStdString(), ignored)
             && !openPipe(*file))
-            return InputError{m_path,
-                              QStringLiteral("cannot be written: ")
-                                  + (errno == ENXIO ? QStringLiteral("nobody reads the pipe")
-                                                    : qt_error_string(errno)),
-                              {}};
+            return InputError{
+                m_path,
+                u"cannot be written: "_s
+                    + (errno == ENXIO ? u"nobody reads the pipe"_s : qt_error_string(errno)),
+                {}};
         m_file = std::move(file);
     }
     return m_file->isOpen() || m_file->open(QIODevice::WriteOnly) ? std::nullopt
@@ -99,10 +99,7 @@ InputError writingError(const QString &place, const QFileDevice &device, const Q
     if ((device.error() != QFileDevice::NoError || why.isEmpty()) && device.handle() >= 0
         && ::write(device.handle(), "", 1) < 0)
         why = qt_error_string(errno);
-    return {place,
-            QStringLiteral("cannot be written")
-                + (why.isEmpty() ? why : QStringLiteral(": ") + why),
-            {}};
+    return {place, u"cannot be written"_s + (why.isEmpty() ? why : u": "_s + why), {}};
 }
 
 } // namespace pixelplumb

@@ -40,15 +40,12 @@ std::optional<InputError> refusalOfFolder(const QString &folder)
         return InputError{folder, "is a file", expected};
     if (!there.exists() && there.isSymbolicLink())
         return InputError{
-            folder,
-            QStringLiteral("is a link to %1, which is not there").arg(there.symLinkTarget()),
-            expected};
+            folder, u"is a link to %1, which is not there"_s.arg(there.symLinkTarget()), expected};
     std::error_code error;
     std::filesystem::create_directories(
         QFile::encodeName(QDir::cleanPath(filePath(folder))).toStdString(), error);
     if (error)
-        return InputError{
-            folder, QStringLiteral("cannot be made: ") + qt_error_string(error.value()), expected};
+        return InputError{folder, u"cannot be made: "_s + qt_error_string(error.value()), expected};
     if (!QFileInfo(filePath(folder)).isWritable())
         return InputError{folder, "cannot be written to", "a folder in which files can be made"};
     return std::nullopt;

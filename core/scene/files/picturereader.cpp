@@ -10,6 +10,8 @@
 
 namespace pixelplumb {
 
+using namespace Qt::StringLiterals;
+
 namespace {
 
 /// The fields of the file header and of BITMAPINFOHEADER, in bytes from the file's start.
@@ -76,22 +78,20 @@ QString bmpFault(const QByteArray &content)
     if (!content.startsWith("BM"))
         return {};
     if (content.size() < HeadersEnd && !hasCoreHeader(content))
-        return QStringLiteral("a BMP that ends early, in its header");
+        return u"a BMP that ends early, in its header"_s;
     // Its runs may leave pixels out, of which the reader would show what the memory held before.
     if (!hasCoreHeader(content) && !isUncompressed(fieldAt(content, Compression)))
-        return QStringLiteral("a compressed BMP, in which pixels may be left out; save it "
-                              "uncompressed");
+        return u"a compressed BMP, in which pixels may be left out; save it "
+               "uncompressed"_s;
     if (!hasCoreHeader(content) && shortFieldAt(content, BitsOfAPixel) == 16)
-        return QStringLiteral(
-            "a BMP of 16 bits a pixel, which have no 256 levels; save it with 24");
+        return u"a BMP of 16 bits a pixel, which have no 256 levels; save it with 24"_s;
     const qint64 needed = bytesOfPixels(content);
     const qint64 missing
         = std::min(needed, fieldAt(content, PixelsOffset) + needed - content.size());
     if (missing <= 0)
         return {};
-    return QStringLiteral("a BMP that ends early, %1 of %2 bytes of pixels are missing")
-        .arg(missing)
-        .arg(needed);
+    return u"a BMP that ends early, %1 of %2 bytes of pixels are missing"_s.arg(missing).arg(
+        needed);
 }
 
 } // namespace

@@ -5,6 +5,8 @@
 
 namespace pixelplumb {
 
+using namespace Qt::StringLiterals;
+
 namespace {
 
 constexpr QByteArrayView signature("\x89PNG\r\n\x1a\n");
@@ -81,7 +83,7 @@ QImage PngPicture::read()
 
 void PngPicture::keepFault()
 {
-    m_fault = QStringLiteral("a broken PNG: ") + QString::fromLatin1(m_image.message);
+    m_fault = u"a broken PNG: "_s + QString::fromLatin1(m_image.message);
 }
 
 } // namespace pixelplumb

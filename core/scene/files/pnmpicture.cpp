@@ -9,6 +9,8 @@
 
 namespace pixelplumb {
 
+using namespace Qt::StringLiterals;
+
 namespace {
 
 /// Reads words one by one; # begins a comment up to the end of its line.
@@ -78,14 +80,13 @@ PnmPicture::PnmPicture(const QByteArray &content)
         bool isNumber = false;
         number = word ? word->toInt(&isNumber) : 0;
         if (!word)
-            m_fault = QStringLiteral("a %1 that ends early, in its header: it has no %2")
-                          .arg(kind(), QLatin1String(name));
+            m_fault = u"a %1 that ends early, in its header: it has no %2"_s.arg(
+                kind(), QLatin1String(name));
         else if (!isNumber || number < 1 || number > most)
-            m_fault
-                = QStringLiteral("a broken %1: line %2: “%3” is no %4 from 1 to %5")
-                      .arg(kind(), QString::number(words.line()),
-                           QString::fromLatin1(word->first(std::min<qsizetype>(20, word->size()))),
-                           QLatin1String(name), QString::number(most));
+            m_fault = u"a broken %1: line %2: “%3” is no %4 from 1 to %5"_s.arg(
+                kind(), QString::number(words.line()),
+                QString::fromLatin1(word->first(std::min<qsizetype>(20, word->size()))),
+                QLatin1String(name), QString::number(most));
     };
     take("width", m_width);
     take("height", m_height);
@@ -107,9 +108,8 @@ qint64 PnmPicture::bytesOfLine() const
 
 void PnmPicture::keepMissing(qint64 found, qint64 needed, const char *what)
 {
-    m_fault = QStringLiteral("a %1 that ends early, %2 of %3 %4 are missing")
-                  .arg(kind(), QString::number(needed - found), QString::number(needed),
-                       QLatin1String(what));
+    m_fault = u"a %1 that ends early, %2 of %3 %4 are missing"_s.arg(
+        kind(), QString::number(needed - found), QString::number(needed), QLatin1String(what));
 }
 
 QImage PnmPicture::read()
@@ -118,7 +118,7 @@ QImage PnmPicture::read()
         return {};
     QImage picture(size(), QImage::Format_RGB32);
     if (picture.isNull())
-        m_fault = QStringLiteral("no memory for its pixels");
+        m_fault = u"no memory for its pixels"_s;
     else if (isText())
         readText(picture);
     else
@@ -169,8 +169,7 @@ void PnmPicture::readText(QImage &picture)
         bits = bits.sliced(taken);
         if (isNumber && level >= 0 && level <= m_greatest)
             return level;
-        m_fault
-            = QStringLiteral("line %1: no level from 0 to %2").arg(words.line()).arg(m_greatest);
+        m_fault = u"line %1: no level from 0 to %2"_s.arg(words.line()).arg(m_greatest);
         return std::nullopt;
     };
     const qint64 needed = levelsOfLine() * m_height;
@@ -208,9 +207,8 @@ void PnmPicture::readBinary(QImage &picture)
                 : int(bytes[place]);
             if (level <= m_greatest)
                 return level;
-            m_fault = QStringLiteral("a broken %1: a level of %2 in line %3 of its pixels; its "
-                                     "header says %4 at most")
-                          .arg(kind())
+            m_fault = u"a broken %1: a level of %2 in line %3 of its pixels; its "
+                      "header says %4 at most"_s.arg(kind())
                           .arg(level)
                           .arg(line + 1)
                           .arg(m_greatest);

@@ -6,6 +6,8 @@
 
 namespace pixelplumb {
 
+using namespace Qt::StringLiterals;
+
 std::size_t triangleCount(const Solid &solid)
 {
     const auto around = std::size_t(solid.segments[0]);
@@ -30,21 +32,19 @@ std::size_t triangleCount(const Solid &solid)
 QString tooManyTriangles(std::size_t count)
 {
     constexpr std::size_t bytesOfEach = sizeof(Triangle) + sizeof(TriangleAttributes);
-    return QStringLiteral("the scene's solids are cut into %1 triangles, %2 MiB")
-        .arg(count)
-        .arg(count * bytesOfEach >> 20);
+    return u"the scene's solids are cut into %1 triangles, %2 MiB"_s.arg(count).arg(
+        count * bytesOfEach >> 20);
 }
 
-QString fewerTriangles() { return QStringLiteral("at most %1 triangles").arg(mostSolidTriangles); }
+QString fewerTriangles() { return u"at most %1 triangles"_s.arg(mostSolidTriangles); }
 
 QString tooManyVertices(std::size_t count)
 {
-    return QStringLiteral("with it the scene's shapes have %1 vertices, %2 for each character of a "
-                          "text")
-        .arg(count)
-        .arg(verticesOfCharacter);
+    return u"with it the scene's shapes have %1 vertices, %2 for each character of a "
+           "text"_s.arg(count)
+               .arg(verticesOfCharacter);
 }
 
-QString fewerVertices() { return QStringLiteral("at most %1").arg(mostShapeVertices); }
+QString fewerVertices() { return u"at most %1"_s.arg(mostShapeVertices); }
 
 } // namespace pixelplumb

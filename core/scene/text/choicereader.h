@@ -11,8 +11,7 @@ namespace pixelplumb {
 /// "one of a, b, c"; a single name stands alone.
 inline QString anyOf(const QStringList &names)
 {
-    return names.size() == 1 ? names.front()
-                             : QStringLiteral("one of ") + names.join(QStringLiteral(", "));
+    return names.size() == 1 ? names.front() : u"one of "_s + names.join(u", "_s);
 }
 
 /// Reads a choice by its name, or as a number where the name is one; a missing key keeps the

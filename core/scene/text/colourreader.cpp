@@ -17,8 +17,7 @@ Colour readColour(JsonReader &json, const JsonNode &node)
     const BlendedColour colour = readBlendedColour(json, node);
     if (colour.alpha != 255)
         json.fail(node,
-                  QStringLiteral("“%1” is not opaque, and only triangles are blended")
-                      .arg(node.toString()),
+                  u"“%1” is not opaque, and only triangles are blended"_s.arg(node.toString()),
                   "alpha ff, or #rrggbb without alpha");
     return colour.colour;
 }

@@ -17,10 +17,7 @@ bool isHexadecimal(QStringView digits)
     return true;
 }
 
-QString byteText(std::uint8_t byte)
-{
-    return QStringLiteral("%1").arg(int(byte), 2, 16, QChar(u'0'));
-}
+QString byteText(std::uint8_t byte) { return u"%1"_s.arg(int(byte), 2, 16, QChar(u'0')); }
 
 } // namespace
 
@@ -30,7 +27,7 @@ Result<BlendedColour> parseColour(QStringView text)
         && isHexadecimal(text.sliced(1));
     if (!isColour) {
         return InputError{{},
-                          QStringLiteral("“%1” is no colour").arg(shortened(text.toString())),
+                          u"“%1” is no colour"_s.arg(shortened(text.toString())),
                           "#rrggbb or #rrggbbaa in hexadecimal digits"};
     }
     const auto byte = [text](std::size_t index) {

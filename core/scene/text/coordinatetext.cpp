@@ -140,7 +140,7 @@ InputError refusal(QStringView text, const QString &why, const NumberFormat &for
 
 QString rangeText(const NumberFormat &format)
 {
-    return QStringLiteral("±%1%2").arg(format.largest).arg(QLatin1String(format.unit));
+    return u"±%1%2"_s.arg(format.largest).arg(QLatin1String(format.unit));
 }
 
 /// Parses a value within the format's limits.
@@ -151,11 +151,11 @@ Result<WrittenValue> parseWithin(QStringView text, const NumberFormat &format)
     const QStringView trimmed = text.trimmed();
     const auto value = parseValue(trimmed);
     if (!value)
-        return refusal(trimmed, QStringLiteral("“%1” is no ") + QLatin1String(format.name), format);
+        return refusal(trimmed, u"“%1” is no "_s + QLatin1String(format.name), format);
     if (value->denominator == 0)
         return refusal(trimmed, "%1 divides by zero", format);
     if (format.largest * value->denominator < value->numerator)
-        return refusal(trimmed, QStringLiteral("%1 is outside ") + rangeText(format), format);
+        return refusal(trimmed, u"%1 is outside "_s + rangeText(format), format);
     return *value;
 }
 
@@ -176,8 +176,8 @@ Quantity displacementOf(std::int64_t units, std::int64_t one, const WrittenValue
 
 QString expectationOf(const NumberFormat &format)
 {
-    return QStringLiteral("a %1 such as %2 within %3")
-        .arg(QLatin1String(format.name), QLatin1String(format.examples), rangeText(format));
+    return u"a %1 such as %2 within %3"_s.arg(QLatin1String(format.name),
+                                              QLatin1String(format.examples), rangeText(format));
 }
 
 Result<SnappedNumber> parseNumber(QStringView text, const NumberFormat &format)

@@ -3,39 +3,40 @@
 
 namespace pixelplumb {
 
-QString wholeCharacters() { return QStringLiteral("both \\u escapes of a character, or none"); }
+using namespace Qt::StringLiterals;
+
+QString wholeCharacters() { return u"both \\u escapes of a character, or none"_s; }
 
 QString expectedAt(rapidjson::ParseErrorCode code, char found)
 {
     switch (code) {
     case rapidjson::kParseErrorDocumentRootNotSingular:
-        return QStringLiteral("the text's end");
+        return u"the text's end"_s;
     case rapidjson::kParseErrorObjectMissName:
-        return QStringLiteral("a key in quotation marks");
+        return u"a key in quotation marks"_s;
     case rapidjson::kParseErrorObjectMissColon:
-        return QStringLiteral("“:”");
+        return u"“:”"_s;
     case rapidjson::kParseErrorObjectMissCommaOrCurlyBracket:
-        return QStringLiteral("“,” or “}”");
+        return u"“,” or “}”"_s;
     case rapidjson::kParseErrorArrayMissCommaOrSquareBracket:
-        return QStringLiteral("“,” or “]”");
+        return u"“,” or “]”"_s;
     case rapidjson::kParseErrorStringUnicodeEscapeInvalidHex:
-        return QStringLiteral("four hexadecimal digits after \\u");
+        return u"four hexadecimal digits after \\u"_s;
     case rapidjson::kParseErrorStringUnicodeSurrogateInvalid:
         return wholeCharacters();
     case rapidjson::kParseErrorStringEscapeInvalid:
-        return found == '\\' ? QStringLiteral("one of \" \\ / b f n r t u after \\")
-                             : QStringLiteral("the end of a string");
+        return found == '\\' ? u"one of \" \\ / b f n r t u after \\"_s : u"the end of a string"_s;
     case rapidjson::kParseErrorStringMissQuotationMark:
-        return QStringLiteral("the end of a string");
+        return u"the end of a string"_s;
     case rapidjson::kParseErrorStringInvalidEncoding:
-        return QStringLiteral("text in UTF-8");
+        return u"text in UTF-8"_s;
     case rapidjson::kParseErrorNumberTooBig:
-        return QStringLiteral("a number below 1.8e308");
+        return u"a number below 1.8e308"_s;
     case rapidjson::kParseErrorNumberMissFraction:
     case rapidjson::kParseErrorNumberMissExponent:
-        return QStringLiteral("a digit");
+        return u"a digit"_s;
     default:
-        return QStringLiteral("a value");
+        return u"a value"_s;
     }
 }
 
@@ -43,9 +44,9 @@ QString foundAt(const QByteArray &text, qsizetype offset)
 {
     constexpr qsizetype quotedBytes = 12, quotedCharacters = 8;
     if (offset >= text.size())
-        return QStringLiteral("the text ends");
+        return u"the text ends"_s;
     const QString found = QString::fromUtf8(text.mid(offset, quotedBytes));
-    return QStringLiteral("“%1”").arg(found.left(quotedCharacters).simplified());
+    return u"“%1”"_s.arg(found.left(quotedCharacters).simplified());
 }
 
 } // namespace pixelplumb

@@ -131,8 +131,7 @@ private:
         if (before >= mostValues) {
             fault = JsonFault{
                 value.offset, openPath(), "a value too many",
-                QStringLiteral("at most %1 in a file without primitives, or in one primitive")
-                    .arg(mostValues)};
+                u"at most %1 in a file without primitives, or in one primitive"_s.arg(mostValues)};
             return false;
         }
         if (isKept())
@@ -150,8 +149,7 @@ private:
         const quint32 offset = end() - 1;
         begin(offset);
         if (m_open.size() >= deepestNesting) {
-            fault = JsonFault{
-                offset, {}, {}, QStringLiteral("at most %1 levels").arg(deepestNesting)};
+            fault = JsonFault{offset, {}, {}, u"at most %1 levels"_s.arg(deepestNesting)};
             return false;
         }
         const bool isFolded = m_open.size() == 1 && kind == JsonKind::Array && !m_folded.isEmpty()
@@ -228,8 +226,7 @@ Result<JsonText> parseJson(const QByteArray &text, QByteArrayView folded)
         fault = JsonFault{quint32(offset),
                           {},
                           {},
-                          json->values.empty() ? QStringLiteral("JSON")
-                                               : expectedAt(parsed.Code(), found)};
+                          json->values.empty() ? u"JSON"_s : expectedAt(parsed.Code(), found)};
     } else if (stream.Tell() < size && !parsed.IsError()) { // RapidJSON takes a byte 0 for the end
         fault = JsonFault{quint32(stream.Tell()), {}, {}, "the text's end"};
     }

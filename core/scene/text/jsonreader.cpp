@@ -48,8 +48,7 @@ void JsonReader::expectObject(const JsonNode &node, const QStringList &keys)
         if (!keys.contains(key)) {
             // For a long key the place is the object.
             fail(key.size() > longestQuote ? node : node[key],
-                 QStringLiteral("unknown key “%1”").arg(shortened(key)),
-                 QStringLiteral("one of ") + keys.join(QStringLiteral(", ")));
+                 u"unknown key “%1”"_s.arg(shortened(key)), u"one of "_s + keys.join(u", "_s));
             return;
         }
     }
@@ -79,8 +78,8 @@ qint64 JsonReader::integer(const JsonNode &node, qint64 first, qint64 last)
     if (value >= first && value <= last && value != none)
         return value;
     fail(node, describe(node),
-         first == last ? QStringLiteral("the integer %1").arg(first)
-                       : QStringLiteral("an integer from %1 to %2").arg(first).arg(last));
+         first == last ? u"the integer %1"_s.arg(first)
+                       : u"an integer from %1 to %2"_s.arg(first).arg(last));
     return first;
 }
 
@@ -95,7 +94,7 @@ std::vector<JsonNode> JsonReader::array(const JsonNode &node, qsizetype size)
 {
     std::vector<JsonNode> nodes = array(node);
     if (qsizetype(nodes.size()) != size)
-        fail(node, describe(node), QStringLiteral("an array of %1").arg(size));
+        fail(node, describe(node), u"an array of %1"_s.arg(size));
     nodes.resize(std::size_t(size));
     return nodes;
 }
@@ -103,13 +102,13 @@ std::vector<JsonNode> JsonReader::array(const JsonNode &node, qsizetype size)
 QString describe(const JsonNode &node)
 {
     if (node.isMissing())
-        return QStringLiteral("nothing");
+        return u"nothing"_s;
     if (node.isString())
-        return QStringLiteral("“%1”").arg(shortened(node.toString()));
+        return u"“%1”"_s.arg(shortened(node.toString()));
     if (node.isArray())
-        return QStringLiteral("an array of %1").arg(node.size());
+        return u"an array of %1"_s.arg(node.size());
     if (node.isObject())
-        return QStringLiteral("an object");
+        return u"an object"_s;
     return shortened(QString::fromUtf8(node.written()));
 }
 

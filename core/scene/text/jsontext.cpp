@@ -21,10 +21,9 @@ QString placeOf(const QByteArray &text, qsizetype offset, const QString &path)
     const QByteArrayView before
         = QByteArrayView(text).first(qBound(qsizetype(0), offset, text.size()));
     const qsizetype lineStart = before.lastIndexOf('\n') + 1;
-    const QString place = QStringLiteral("line %1, column %2")
-                              .arg(before.count('\n') + 1)
+    const QString place = u"line %1, column %2"_s.arg(before.count('\n') + 1)
                               .arg(QString::fromUtf8(before.sliced(lineStart)).size() + 1);
-    return path.isEmpty() ? place : place + QStringLiteral(", ") + shortened(path, longestPath);
+    return path.isEmpty() ? place : place + u", "_s + shortened(path, longestPath);
 }
 
 QString memberPath(const QString &parent, const QString &key)

@@ -7,9 +7,9 @@ QString InputError::message() const
 {
     QString text = found;
     if (!place.isEmpty())
-        text.prepend(place + QStringLiteral(": "));
+        text.prepend(place + u": "_s);
     if (!expected.isEmpty())
-        text += QStringLiteral("; expected ") + expected;
+        text += u"; expected "_s + expected;
     return text;
 }
 

@@ -8,6 +8,8 @@
 
 namespace pixelplumb {
 
+using namespace Qt::StringLiterals; // u"…"_s is a QString
+
 /// What is wrong with input from the user or a file: where, what was found, what is expected.
 struct InputError {
     QString place; ///< "line 5, column 33, primitives[0].triangle[1][0]"; empty for the whole input

@@ -5,6 +5,8 @@
 
 namespace pixelplumb {
 
+using namespace Qt::StringLiterals;
+
 /// The most characters quoted from a file or a command line.
 inline constexpr qsizetype longestQuote = 60;
 
@@ -15,7 +17,7 @@ inline QString shortened(const QString &text, qsizetype longest = longestQuote)
         return text;
     // Keeps both halves of a surrogate pair, or neither.
     const qsizetype end = longest - (text[longest - 1].isHighSurrogate() ? 1 : 0);
-    return text.first(end) + QStringLiteral("…");
+    return text.first(end) + u"…"_s;
 }
 
 } // namespace pixelplumb

@@ -15,7 +15,7 @@ using namespace pixelplumb;
 
 namespace {
 
-const QString folder = resource(QStringLiteral("/completions/"));
+const QString folder = resource(u"/completions/"_s);
 
 QStringList linesOf(const QString &shell, const QStringList &arguments)
 {
@@ -33,10 +33,8 @@ QStringList offeredByBash(const QStringList &words)
 {
     const QString script = QStringLiteral(R"(. "$0"; COMP_WORDS=("$@"); COMP_CWORD=$(($# - 1))
         _pixelplumb_cli 2>/dev/null; printf '%s\n' "${COMPREPLY[@]}")");
-    return linesOf(QStringLiteral("bash"),
-                   QStringList{QStringLiteral("-c"), script,
-                               folder + QStringLiteral("pixelplumb-cli"), program()}
-                       + words);
+    return linesOf(u"bash"_s,
+                   QStringList{u"-c"_s, script, folder + u"pixelplumb-cli"_s, program()} + words);
 }
 
 /// The same of zsh, which keeps those that begin with the word by itself.
@@ -45,11 +43,9 @@ QStringList offeredByZsh(const QStringList &words)
     const QString script
         = QStringLiteral(R"(compadd() { shift; print -l -- $@ }; _files() { print files }
         f() { local -a words=("$@"); local CURRENT=$#; source "$script" }; script=$1; shift; f "$@")");
-    const QStringList all
-        = linesOf(QStringLiteral("zsh"),
-                  QStringList{QStringLiteral("-fc"), script, QStringLiteral("zsh"),
-                              folder + QStringLiteral("_pixelplumb-cli"), program()}
-                      + words);
+    const QStringList all = linesOf(
+        u"zsh"_s,
+        QStringList{u"-fc"_s, script, u"zsh"_s, folder + u"_pixelplumb-cli"_s, program()} + words);
     QStringList offered;
     for (const QString &each : all) {
         if (each.startsWith(words.last()))
@@ -108,8 +104,7 @@ private slots:
         row("arithmetics", {"trace", "--arithmetic", ""}, namesOf(allArithmetics));
         row("fill rules", {"pixel", "--fill-rule", ""}, namesOf(allFillRules));
         row("roundings", {"render", "--rounding", ""}, namesOf(allByteRoundings));
-        row("variants", {"render", "--variant", ""},
-            namesOf(allVariants) + QStringList{QStringLiteral("none")});
+        row("variants", {"render", "--variant", ""}, namesOf(allVariants) + QStringList{u"none"_s});
         row("layers", {"render", "--layers", ""}, layerNames());
         row("a switch", {"plan", "--force", "smooth-colour"},
             {"smooth-colour=on", "smooth-colour=off"});
@@ -143,34 +138,31 @@ private slots:
 
     void theManualHasTheHelpOfEveryCommand()
     {
-        const QString source = manualText(resource(QStringLiteral("/man/pixelplumb-cli.1.in")));
-        const QString path = QFileInfo(program()).path() + QStringLiteral("/pixelplumb-cli.1");
+        const QString source = manualText(resource(u"/man/pixelplumb-cli.1.in"_s));
+        const QString path = QFileInfo(program()).path() + u"/pixelplumb-cli.1"_s;
         const QString manual = manualText(path);
-        QCOMPARE(linesOf(QStringLiteral("mandoc"), {"-T", "lint", "-W", "warning", path}),
-                 QStringList());
-        QVERIFY(!manual.contains(QStringLiteral("\n@")));
+        QCOMPARE(linesOf(u"mandoc"_s, {"-T", "lint", "-W", "warning", path}), QStringList());
+        QVERIFY(!manual.contains(u"\n@"_s));
         for (const QString &command : offeredByBash({QString()})) {
-            if (command == QStringLiteral("help"))
+            if (command == u"help"_s)
                 continue;
-            QVERIFY2(source.contains(u'\n' + QStringLiteral("@%1@\n").arg(command)),
-                     qPrintable(command));
-            const QStringList options = offeredByBash({command, QStringLiteral("--")});
-            QVERIFY(options.contains(QStringLiteral("--help")));
+            QVERIFY2(source.contains(u'\n' + u"@%1@\n"_s.arg(command)), qPrintable(command));
+            const QStringList options = offeredByBash({command, u"--"_s});
+            QVERIFY(options.contains(u"--help"_s));
             for (const QString &option : options) {
-                const QString name = QString(option).replace(u'-', QStringLiteral("\\-"));
-                QVERIFY2(option == QStringLiteral("--help") || manual.contains(name),
-                         qPrintable(option + QStringLiteral(" is not in the manual")));
+                const QString name = QString(option).replace(u'-', u"\\-"_s);
+                QVERIFY2(option == u"--help"_s || manual.contains(name),
+                         qPrintable(option + u" is not in the manual"_s));
             }
         }
     }
 
     void theManualTellsEveryLayer()
     {
-        const QString manual = manualText(resource(QStringLiteral("/man/pixelplumb-cli.1.in")));
+        const QString manual = manualText(resource(u"/man/pixelplumb-cli.1.in"_s));
         for (QString name : layerNames()) {
-            name.replace(u'-', QStringLiteral("\\-"));
-            QVERIFY2(manual.contains(QStringLiteral("Cm ") + name)
-                         || manual.contains(QStringLiteral(" , ") + name),
+            name.replace(u'-', u"\\-"_s);
+            QVERIFY2(manual.contains(u"Cm "_s + name) || manual.contains(u" , "_s + name),
                      qPrintable(name));
         }
     }

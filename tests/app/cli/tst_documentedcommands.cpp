@@ -30,8 +30,8 @@ struct TestCommand {
 QList<TestCommand> testCommandsIn(const QString &path)
 {
     static const QRegularExpression command(
-        QStringLiteral("`(?:tests/run )?(--all )?-R ('([^']+)'|([\\w-]+))[^`]*`"));
-    static const QRegularExpression group(QStringLiteral("^(.*)\\((.*)\\)(.*)$"));
+        u"`(?:tests/run )?(--all )?-R ('([^']+)'|([\\w-]+))[^`]*`"_s);
+    static const QRegularExpression group(u"^(.*)\\((.*)\\)(.*)$"_s);
     QList<TestCommand> commands;
     const QString text = textInTree(path).simplified();
     for (const QRegularExpressionMatch &match : command.globalMatch(text)) {
@@ -49,11 +49,9 @@ QList<TestCommand> testCommandsIn(const QString &path)
 QMap<QString, bool> slownessOfTests()
 {
     QDir build(QCoreApplication::applicationDirPath());
-    while (!build.exists(QStringLiteral("CMakeCache.txt")) && build.cdUp()) { }
+    while (!build.exists(u"CMakeCache.txt"_s) && build.cdUp()) { }
     QProcess ctest;
-    ctest.start(
-        QStringLiteral("ctest"),
-        {QStringLiteral("--test-dir"), build.path(), QStringLiteral("--show-only=json-v1")});
+    ctest.start(u"ctest"_s, {u"--test-dir"_s, build.path(), u"--show-only=json-v1"_s});
     if (!ctest.waitForFinished())
         return {};
     const QJsonObject answer = QJsonDocument::fromJson(ctest.readAllStandardOutput()).object();
@@ -101,12 +99,11 @@ private slots:
     void everyClaimHasItsCommand()
     {
         // A claim is an item of a list; its command stands in the same item.
-        const QString claims
-            = textInTree("resources/testing.md").section(QStringLiteral("\n## "), 1);
-        const QStringList items = claims.split(QRegularExpression(QStringLiteral("\n(?=- )")));
+        const QString claims = textInTree("resources/testing.md").section(u"\n## "_s, 1);
+        const QStringList items = claims.split(QRegularExpression(u"\n(?=- )"_s));
         QVERIFY(items.size() > 25);
         for (const QString &item : items.mid(1)) {
-            const QString claim = item.section(QStringLiteral("\n\n"), 0, 0);
+            const QString claim = item.section(u"\n\n"_s, 0, 0);
             QVERIFY2(claim.contains(QLatin1String("`tests/"))
                          || claim.contains(QLatin1String("`build/release/app/")),
                      qPrintable(claim));
@@ -132,10 +129,9 @@ private slots:
     void theReadmesExampleIsWhatTheProgramPrints()
     {
         static const QRegularExpression example(
-            QStringLiteral("^    \\$ build/release/app/pixelplumb-cli (.+)\\n((?:    .*\\n)+)"),
+            u"^    \\$ build/release/app/pixelplumb-cli (.+)\\n((?:    .*\\n)+)"_s,
             QRegularExpression::MultilineOption);
-        const QRegularExpressionMatch match
-            = example.match(textInTree(QStringLiteral("README.md")));
+        const QRegularExpressionMatch match = example.match(textInTree(u"README.md"_s));
         QVERIFY(match.hasMatch());
         QStringList arguments = match.captured(1).split(u' ');
         for (QString &argument : arguments) {
@@ -143,7 +139,7 @@ private slots:
                 argument = inTree(argument);
         }
         const QString expected = match.captured(2).remove(
-            QRegularExpression(QStringLiteral("^    "), QRegularExpression::MultilineOption));
+            QRegularExpression(u"^    "_s, QRegularExpression::MultilineOption));
 
         const ProgramRun result = run(arguments);
 

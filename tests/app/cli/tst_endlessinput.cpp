@@ -25,7 +25,7 @@ private slots:
     {
         QTest::addColumn<QStringList>("arguments");
         QTest::addColumn<QString>("limit");
-        const QString megabytes = QStringLiteral("cannot be read: it is larger than 256 MiB");
+        const QString megabytes = u"cannot be read: it is larger than 256 MiB"_s;
         const auto row = [](const QStringList &arguments, const QString &limit) {
             QTest::newRow(qPrintable(arguments.join(u' '))) << arguments << limit;
         };
@@ -35,7 +35,7 @@ private slots:
             row({"check", name}, megabytes);
             row({"try", "--scene", name, "true"}, megabytes);
             row({"grade", ".", "--assignment", name, "-o", "never"}, megabytes);
-            const QString larger = QStringLiteral("cannot be read: it is larger than 1025 MiB");
+            const QString larger = u"cannot be read: it is larger than 1025 MiB"_s;
             row({"diff", name, defaultScene()}, larger);
             row({"diagnose", name, "--scene", defaultScene()}, larger);
         }
@@ -46,7 +46,7 @@ private slots:
         QFETCH(QStringList, arguments);
         QFETCH(QString, limit);
         QProcess process;
-        process.setStandardInputFile(QStringLiteral("/dev/zero"));
+        process.setStandardInputFile(u"/dev/zero"_s);
         process.start("/bin/sh",
                       QStringList{"-c", "ulimit -v 4194304; exec \"$0\" \"$@\"", program()}
                           + arguments);
@@ -72,9 +72,9 @@ private slots:
 
     void whatNobodyNamedIsNotWaitedFor()
     {
-        const QString pipe = m_folder.filePath(QStringLiteral("scene.json"));
+        const QString pipe = m_folder.filePath(u"scene.json"_s);
         QCOMPARE(::mkfifo(QFile::encodeName(pipe).constData(), 0600), 0);
-        const QString refusal = QStringLiteral("it is a pipe or a device");
+        const QString refusal = u"it is a pipe or a device"_s;
         const auto assignment = readAssignment(R"({ "pixelplumbAssignment": 1, "name": "",
             "scenes": [ { "name": "a", "scene": "scene.json" } ] })",
                                                m_folder.path());
@@ -86,7 +86,7 @@ private slots:
 
     void aDrawingIsNoTexture()
     {
-        const QString drawing = m_folder.filePath(QStringLiteral("drawing.svg"));
+        const QString drawing = m_folder.filePath(u"drawing.svg"_s);
         QVERIFY(!writeFile(drawing,
                            "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"4\" height=\"4\" "
                            "xmlns:xlink=\"http://www.w3.org/1999/xlink\"><image "

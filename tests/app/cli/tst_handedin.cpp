@@ -28,7 +28,7 @@ private slots:
     void whoSleepsInOneSceneIsWaitedForLessInTheOthers()
     {
         const QTemporaryDir folder;
-        QVERIFY(QDir(folder.path()).mkpath(QStringLiteral("subs/one")));
+        QVERIFY(QDir(folder.path()).mkpath(u"subs/one"_s));
         QVERIFY(!writeFile(folder.filePath("subs/one/main.py"), "import time\ntime.sleep(1000)\n"));
         QVERIFY(!writeFile(folder.filePath("white.json"),
                            quoted("{ 'pixelplumb': 1,"
@@ -47,15 +47,14 @@ private slots:
         QVERIFY2(graded.exitCode == 0, graded.messages.constData());
         const auto results
             = QJsonDocument::fromJson(*readFile(folder.filePath("out/results.json")));
-        const QString sentences
-            = results[QStringLiteral("submissions")][0][QStringLiteral("output")].toString();
-        QVERIFY2(sentences.contains(QStringLiteral(
-                     "first: it was ended by the clock: for 4 s it was not seen to compute")),
+        const QString sentences = results[u"submissions"_s][0][u"output"_s].toString();
+        QVERIFY2(sentences.contains(
+                     u"first: it was ended by the clock: for 4 s it was not seen to compute"_s),
                  qPrintable(sentences));
-        QVERIFY2(sentences.contains(QStringLiteral(
-                     "second: it was ended by the clock: for 1 s it was not seen to compute")),
+        QVERIFY2(sentences.contains(
+                     u"second: it was ended by the clock: for 1 s it was not seen to compute"_s),
                  qPrintable(sentences));
-        QVERIFY2(sentences.contains(QStringLiteral("second: it was given less time by the clock")),
+        QVERIFY2(sentences.contains(u"second: it was given less time by the clock"_s),
                  qPrintable(sentences));
     }
 };

@@ -18,7 +18,7 @@ namespace {
 
 /// What would be replaced, what steers a terminal, what turns the direction of writing, and what
 /// cannot be seen, within the basic plane and beyond.
-const QString hostileName = QStringLiteral("%1 %2 %L3\x1b[31m\u202e\U000e0001\u2028\x7f");
+const QString hostileName = u"%1 %2 %L3\x1b[31m\u202e\U000e0001\u2028\x7f"_s;
 
 const QByteArray plainScene = R"({ "pixelplumb": 1, "frame": { "width": 8, "height": 8 },
     "primitives": [ { "triangle": [[0, 0], [7, 0], [0, 5]],
@@ -66,13 +66,13 @@ private slots:
         const auto row = [](const char *name, const QString &text, const char *shown) {
             QTest::newRow(name) << text << QString::fromUtf8(shown);
         };
-        row("line feed", QStringLiteral("a\nb"), "a\\x0ab");
-        row("C1", QStringLiteral("\u009b"), "\\x9b");
-        row("soft hyphen", QStringLiteral("\u00ad"), "\\xad");
-        row("isolate", QStringLiteral("\u2066"), "\\u2066");
-        row("tag", QStringLiteral("\U000e0041"), "\\U000e0041");
-        row("private use", QStringLiteral("\U0010fffd"), "\\U0010fffd");
-        row("no character", QStringLiteral("\uffff"), "\\uffff");
+        row("line feed", u"a\nb"_s, "a\\x0ab");
+        row("C1", u"\u009b"_s, "\\x9b");
+        row("soft hyphen", u"\u00ad"_s, "\\xad");
+        row("isolate", u"\u2066"_s, "\\u2066");
+        row("tag", u"\U000e0041"_s, "\\U000e0041");
+        row("private use", u"\U0010fffd"_s, "\\U0010fffd");
+        row("no character", u"\uffff"_s, "\\uffff");
     }
     void charactersAreEscapedByTheirCodes()
     {
@@ -80,15 +80,14 @@ private slots:
         QFETCH(QString, shown);
         QCOMPARE(escapedControls(text), shown);
         const QString json = QString::fromUtf8(
-            escapedJson(QJsonDocument(QJsonObject{{QStringLiteral("text"), text}}).toJson()));
+            escapedJson(QJsonDocument(QJsonObject{{u"text"_s, text}}).toJson()));
         QVERIFY(isShowable(json.toUtf8()));
         QCOMPARE(QJsonDocument::fromJson(json.toUtf8()).object()["text"].toString(), text);
     }
 
     void aProgramsWordsBeyondTheBasicPlaneAreNotCutInHalf()
     {
-        QCOMPARE(shownText(QStringLiteral("\U000e0001a😀b").toUtf8(), 3),
-                 QStringLiteral("\uFFFDa😀 …"));
+        QCOMPARE(shownText(u"\U000e0001a😀b"_s.toUtf8(), 3), u"\uFFFDa😀 …"_s);
     }
 };
 

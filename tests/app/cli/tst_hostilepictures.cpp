@@ -168,14 +168,13 @@ private slots:
             for (int i = 0; i < tries / 6; ++i) {
                 const QByteArray png = damaged(whole, random);
                 WrittenErrors errors;
-                const bool isDecoded = parsePicture(png, QStringLiteral("p")).isOk();
+                const bool isDecoded = parsePicture(png, u"p"_s).isOk();
                 const QByteArray written = errors.end();
                 QVERIFY2(written.isEmpty(), written.constData());
                 ++(isDecoded ? decoded : refused);
             }
         }
-        QVERIFY2(decoded > 50 && refused > 200,
-                 qPrintable(QStringLiteral("%1, %2").arg(decoded).arg(refused)));
+        QVERIFY2(decoded > 50 && refused > 200, qPrintable(u"%1, %2"_s.arg(decoded).arg(refused)));
     }
 
     void aBmpWithItsLinesFromTheTopDownIsReadAsAnyOther()
@@ -195,9 +194,9 @@ private slots:
     {
         QByteArray compressed = bmp();
         compressed[30] = 1; // runs of 8 bits
-        QCOMPARE(parsePicture(compressed, QStringLiteral("p")).error().message(),
-                 QStringLiteral("p: no picture: a compressed BMP, in which pixels may be left out; "
-                                "save it uncompressed; expected a whole file"));
+        QCOMPARE(parsePicture(compressed, u"p"_s).error().message(),
+                 u"p: no picture: a compressed BMP, in which pixels may be left out; "
+                 "save it uncompressed; expected a whole file"_s);
         QByteArray offset = bmp().first(60);
         qToLittleEndian<qint32>(1078, offset.data() + 10);
         QVERIFY(parsePicture(offset, {})
@@ -237,9 +236,9 @@ private slots:
                 QCOMPARE(greyAt("P6" + size + binary + binary + binary), expected);
             }
         }
-        QCOMPARE(parsePicture("P5 1 1 100 \xc8", QStringLiteral("p")).error().message(),
-                 QStringLiteral("p: no picture: a broken PGM: a level of 200 in line 1 of its "
-                                "pixels; its header says 100 at most; expected a whole file"));
+        QCOMPARE(parsePicture("P5 1 1 100 \xc8", u"p"_s).error().message(),
+                 u"p: no picture: a broken PGM: a level of 200 in line 1 of its "
+                 "pixels; its header says 100 at most; expected a whole file"_s);
     }
 
     /// Level (x, y) is 257·((37x + 159y + 11xy) mod 256).
@@ -373,8 +372,8 @@ private slots:
     {
         QFETCH(QString, suffix);
         const QTemporaryDir folder;
-        const QString scene = folder.filePath(QStringLiteral("large.json"));
-        const QString drawn = folder.filePath(QStringLiteral("large.") + suffix);
+        const QString scene = folder.filePath(u"large.json"_s);
+        const QString drawn = folder.filePath(u"large."_s + suffix);
         // As PPM it has 300 MiB, more than a scene may.
         QVERIFY(!writeFile(scene, sceneOfSize(10'240, 10'240)));
         QCOMPARE(run({"render", scene, "-o", drawn}).exitCode, 0);

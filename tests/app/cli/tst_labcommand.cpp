@@ -22,7 +22,7 @@ private slots:
     void writesWhatCanBeRead()
     {
         const QTemporaryDir folder;
-        const QString file = folder.filePath(QStringLiteral("study.json"));
+        const QString file = folder.filePath(u"study.json"_s);
 
         const ProgramRun written
             = run({"lab", defaultScene(), "--family", "own-scene", "--contender",
@@ -39,7 +39,7 @@ private slots:
     void anInterruptedStudyWritesWhatItHas()
     {
         const QTemporaryDir folder;
-        const QString file = folder.filePath(QStringLiteral("study.json"));
+        const QString file = folder.filePath(u"study.json"_s);
         QProcess process;
         process.start(program(), {"lab", "--full", "--format", "json", "-o", file});
         QVERIFY(process.waitForStarted());

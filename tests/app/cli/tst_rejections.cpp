@@ -138,9 +138,8 @@ private slots:
         for (const RejectedPrimitive &each : recorded)
             QCOMPARE(
                 each.message(),
-                QStringLiteral(
-                    "primitive 0 (triangle): It reaches into the frame, but by the run's tests no "
-                    "sample of the frame belongs to it. Nothing is drawn."));
+                u"primitive 0 (triangle): It reaches into the frame, but by the run's tests no "
+                "sample of the frame belongs to it. Nothing is drawn."_s);
     }
 
     /// Whether a part of it lies within the squares of the frame's pixels, 8 × 8 from (−½, −½) on.
@@ -173,9 +172,9 @@ private slots:
             scene.method = method;
             const auto rejected = rejectedPrimitives(SceneRun(scene));
             QCOMPARE(rejected.size(), std::size_t(1));
-            QVERIFY2(rejected[0].message().contains(reachesIn ? QStringLiteral("reaches into")
-                                                              : QStringLiteral("lies outside")),
-                     qPrintable(rejected[0].message()));
+            QVERIFY2(
+                rejected[0].message().contains(reachesIn ? u"reaches into"_s : u"lies outside"_s),
+                qPrintable(rejected[0].message()));
             QCOMPARE(rejectedPrimitives(*traceScene(scene)), rejected);
         }
     }
@@ -191,13 +190,12 @@ private slots:
         const auto traced = traceScene(drawn);
         QCOMPARE(traced->trace->writtenCount(), std::size_t(0));
 
-        const QString told
-            = QStringLiteral("It reaches into the frame, but by the run's tests no sample of the "
-                             "frame belongs to it. Nothing is drawn.");
+        const QString told = u"It reaches into the frame, but by the run's tests no sample of the "
+                             "frame belongs to it. Nothing is drawn."_s;
         QVERIFY(rejectedPrimitives(SceneRun(drawn)).at(0).message().endsWith(told));
         QVERIFY(explainStep(*traced, 0).sentence.endsWith(told));
         QCOMPARE(pixelHistory(*traced, 6, 6).at(0).reason, told);
-        QVERIFY(pixelHistory(*traced, 1, 1).at(0).reason.startsWith(QStringLiteral("Refused")));
+        QVERIFY(pixelHistory(*traced, 1, 1).at(0).reason.startsWith(u"Refused"_s));
     }
 
     /// Behind another one it wrote nothing and covers samples.

@@ -21,8 +21,8 @@ private slots:
 
     void aScaledPictureHasASquareForEachPixel()
     {
-        const QString plain = m_folder.filePath(QStringLiteral("plain.png"));
-        const QString scaled = m_folder.filePath(QStringLiteral("scaled.png"));
+        const QString plain = m_folder.filePath(u"plain.png"_s);
+        const QString scaled = m_folder.filePath(u"scaled.png"_s);
 
         QCOMPARE(run({"render", defaultScene(), "-o", plain}).exitCode, 0);
         QCOMPARE(run({"render", defaultScene(), "-o", scaled, "--scale", "3"}).exitCode, 0);
@@ -38,7 +38,7 @@ private slots:
 
     void drawsTheFrameAsItIsAtAPosition()
     {
-        const QString path = m_folder.filePath(QStringLiteral("moment.png"));
+        const QString path = m_folder.filePath(u"moment.png"_s);
         const Scene scene = readSceneFile(defaultScene())->scene;
         const auto traced = traceScene(scene);
         TraceCursor cursor(*traced->trace, scene.frame);
@@ -53,8 +53,8 @@ private slots:
 
     void layersLieOverThePicture()
     {
-        const QString path = m_folder.filePath(QStringLiteral("layers.png"));
-        const QString plainPath = m_folder.filePath(QStringLiteral("without.png"));
+        const QString path = m_folder.filePath(u"layers.png"_s);
+        const QString plainPath = m_folder.filePath(u"without.png"_s);
 
         const ProgramRun result
             = run({"render", defaultScene(), "-o", path, "--scale", "16", "--layers",

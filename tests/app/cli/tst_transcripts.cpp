@@ -29,8 +29,8 @@ struct Command {
 const QStringList slowSanitized
     = {"check", "compare", "counterexample", "diagnose", "diff", "effect-faults", "lab"};
 
-const QString begin = QStringLiteral("  $ ");
-const QString continued = QStringLiteral("  > ");
+const QString begin = u"  $ "_s;
+const QString continued = u"  > "_s;
 
 /// The commands, without what they printed.
 std::vector<Command> commandsOf(const QString &transcript)
@@ -43,7 +43,7 @@ std::vector<Command> commandsOf(const QString &transcript)
             comment.clear();
         } else if (line.startsWith(continued) && !commands.empty() && comment.isEmpty()) {
             commands.back().lines += line.sliced(continued.size());
-        } else if (!line.startsWith(QStringLiteral("  "))) {
+        } else if (!line.startsWith(u"  "_s)) {
             comment += line;
         }
     }
@@ -62,14 +62,14 @@ QStringList shownResult(const ProgramRun &result)
         if (lines.back().isEmpty())
             lines.removeLast();
         else
-            lines.back() += QStringLiteral(" (no newline)");
+            lines.back() += u" (no newline)"_s;
         for (const QString &line : lines)
-            shown += (QStringLiteral("  ") + mark + line);
+            shown += (u"  "_s + mark + line);
     };
     add(result.output, {});
-    add(result.messages, QStringLiteral("! "));
+    add(result.messages, u"! "_s);
     if (result.exitCode != 0)
-        shown += QStringLiteral("  [%1]").arg(result.exitCode);
+        shown += u"  [%1]"_s.arg(result.exitCode);
     return shown;
 }
 
@@ -80,11 +80,10 @@ ProgramRun runInShell(const QString &folder, const QString &script)
     shell.setWorkingDirectory(folder);
     shell.setStandardInputFile(QProcess::nullDevice());
     QProcessEnvironment environment = QProcessEnvironment::systemEnvironment();
-    environment.insert(QStringLiteral("PATH"),
-                       QFileInfo(program()).path() + u':'
-                           + environment.value(QStringLiteral("PATH")));
+    environment.insert(u"PATH"_s,
+                       QFileInfo(program()).path() + u':' + environment.value(u"PATH"_s));
     shell.setProcessEnvironment(environment);
-    shell.start(QStringLiteral("/bin/sh"), {QStringLiteral("-c"), script});
+    shell.start(u"/bin/sh"_s, {u"-c"_s, script});
     if (!shell.waitForFinished(300'000) || shell.exitStatus() != QProcess::NormalExit)
         return {-1, {}, "did not end by itself\n"};
     return {shell.exitCode(), shell.readAllStandardOutput(), shell.readAllStandardError()};
@@ -97,7 +96,7 @@ QString runAgain(const QString &transcript)
     const QTemporaryDir folder;
     for (const char *name : {"scenes", "assignments", "probes"})
         QFile::link(resource(u'/' + QString::fromLatin1(name)), folder.filePath(name));
-    QFile::link(testData({}), folder.filePath(QStringLiteral("data")));
+    QFile::link(testData({}), folder.filePath(u"data"_s));
     QStringList lines;
     for (const Command &command : commandsOf(transcript)) {
         lines += command.comment;
@@ -121,8 +120,8 @@ private slots:
     void saysWhatItSaid_data()
     {
         QTest::addColumn<QString>("file");
-        const QDir folder(testData(QStringLiteral("transcripts")));
-        for (const QString &name : folder.entryList({QStringLiteral("*.txt")}))
+        const QDir folder(testData(u"transcripts"_s));
+        for (const QString &name : folder.entryList({u"*.txt"_s}))
             QTest::newRow(qPrintable(name)) << folder.filePath(name);
     }
     void saysWhatItSaid()
@@ -145,24 +144,24 @@ private slots:
 
     void whatIsRunAgainIsWhatWasPrinted()
     {
-        QCOMPARE(runAgain(QStringLiteral("A sentence.\n"
-                                         "  $ printf 'a\\nb'; echo c >&2; exit 3\n"
-                                         "  something else\n"
-                                         "\n"
-                                         "  $ cat <<END\n"
-                                         "  > one\n"
-                                         "  > END\n")),
-                 QStringLiteral("A sentence.\n"
-                                "  $ printf 'a\\nb'; echo c >&2; exit 3\n"
-                                "  a\n"
-                                "  b (no newline)\n"
-                                "  ! c\n"
-                                "  [3]\n"
-                                "\n"
-                                "  $ cat <<END\n"
-                                "  > one\n"
-                                "  > END\n"
-                                "  one\n"));
+        QCOMPARE(runAgain(u"A sentence.\n"
+                          "  $ printf 'a\\nb'; echo c >&2; exit 3\n"
+                          "  something else\n"
+                          "\n"
+                          "  $ cat <<END\n"
+                          "  > one\n"
+                          "  > END\n"_s),
+                 u"A sentence.\n"
+                 "  $ printf 'a\\nb'; echo c >&2; exit 3\n"
+                 "  a\n"
+                 "  b (no newline)\n"
+                 "  ! c\n"
+                 "  [3]\n"
+                 "\n"
+                 "  $ cat <<END\n"
+                 "  > one\n"
+                 "  > END\n"
+                 "  one\n"_s);
     }
 
 private:
@@ -171,11 +170,11 @@ private:
     {
         QString command;
         for (qsizetype i = 0; i < qMax(recorded.size(), now.size()); ++i) {
-            const QString was = recorded.value(i, QStringLiteral("(the end)"));
-            const QString is = now.value(i, QStringLiteral("(the end)"));
+            const QString was = recorded.value(i, u"(the end)"_s);
+            const QString is = now.value(i, u"(the end)"_s);
             if (was != is)
-                return QStringLiteral("line %1, of %2\nrecorded: %3\nnow:      %4")
-                    .arg(QString::number(i + 1), command.trimmed(), was, is);
+                return u"line %1, of %2\nrecorded: %3\nnow:      %4"_s.arg(
+                    QString::number(i + 1), command.trimmed(), was, is);
             if (was.startsWith(begin))
                 command = was;
         }

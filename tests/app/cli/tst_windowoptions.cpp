@@ -6,6 +6,8 @@
 
 namespace tst_windowoptions {
 
+using namespace Qt::StringLiterals;
+
 /// The command line of the window.
 class TestWindowOptions : public QObject {
     Q_OBJECT
@@ -47,9 +49,9 @@ private slots:
     void aNameThatIsNotUtf8IsRefused()
     {
         QProcess process;
-        process.start(QStringLiteral("sh"),
-                      {QStringLiteral("-c"), QStringLiteral("\"$0\" \"$(printf 'a\\377.json')\""),
-                       QStringLiteral(PIXELPLUMB_WINDOW)});
+        process.start(
+            u"sh"_s,
+            {u"-c"_s, u"\"$0\" \"$(printf 'a\\377.json')\""_s, QStringLiteral(PIXELPLUMB_WINDOW)});
         QVERIFY(process.waitForFinished(120'000));
         QCOMPARE(process.exitCode(), 2);
         QCOMPARE(

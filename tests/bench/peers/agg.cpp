@@ -13,6 +13,8 @@
 
 namespace pixelplumb::bench {
 
+using namespace Qt::StringLiterals;
+
 namespace {
 
 /// AGG has no Gouraud path without its coverage rasteriser. A gamma with a threshold at one half
@@ -87,8 +89,8 @@ private:
 void addAgg(Lineup &lineup)
 {
     ContenderInfo info;
-    info.id = QStringLiteral("agg");
-    info.name = QStringLiteral("AGG span_gouraud_rgba, AA off by gamma");
+    info.id = u"agg"_s;
+    info.name = u"AGG span_gouraud_rgba, AA off by gamma"_s;
     lineup.contenders.push_back(std::make_unique<Agg>(info));
 }
 

@@ -8,6 +8,8 @@
 
 namespace pixelplumb::bench {
 
+using namespace Qt::StringLiterals;
+
 namespace {
 
 struct BitmapDeleter {
@@ -66,14 +68,14 @@ void addAllegro(Lineup &lineup)
 {
     // Only memory bitmaps: no window, no driver, no exit function.
     if (install_allegro(SYSTEM_NONE, &errno, nullptr) != 0) {
-        lineup.absent.push_back({QStringLiteral("Allegro 4"),
-                                 QStringLiteral("install_allegro(SYSTEM_NONE) failed: %1")
-                                     .arg(QLatin1String(allegro_error))});
+        lineup.absent.push_back(
+            {u"Allegro 4"_s,
+             u"install_allegro(SYSTEM_NONE) failed: %1"_s.arg(QLatin1String(allegro_error))});
         return;
     }
     set_color_depth(32);
     ContenderInfo info;
-    info.id = QStringLiteral("allegro");
+    info.id = u"allegro"_s;
     info.name = QStringLiteral("Allegro " ALLEGRO_VERSION_STR " triangle3d_f");
     lineup.contenders.push_back(std::make_unique<Allegro>(info));
 }

@@ -5,6 +5,8 @@
 
 namespace pixelplumb::bench {
 
+using namespace Qt::StringLiterals;
+
 namespace {
 
 struct SurfaceDeleter {
@@ -80,8 +82,8 @@ private:
 void addCairo(Lineup &lineup)
 {
     ContenderInfo info;
-    info.id = QStringLiteral("cairo");
-    info.name = QStringLiteral("Cairo %1 mesh pattern").arg(QLatin1String(cairo_version_string()));
+    info.id = u"cairo"_s;
+    info.name = u"Cairo %1 mesh pattern"_s.arg(QLatin1String(cairo_version_string()));
     lineup.contenders.push_back(std::make_unique<Cairo>(info));
 }
 

@@ -11,6 +11,8 @@
 
 namespace pixelplumb::bench {
 
+using namespace Qt::StringLiterals;
+
 namespace {
 
 /// Mesa names its rasteriser threads llvmpipe-0, llvmpipe-1, …
@@ -71,23 +73,21 @@ std::variant<Context, QString> contextWith(int threads, Platform platform)
     Context context;
     context.display = displayOf(platform);
     if (context.display == EGL_NO_DISPLAY || !eglInitialize(context.display, nullptr, nullptr))
-        return QStringLiteral("EGL gives no display without a window system");
+        return u"EGL gives no display without a window system"_s;
     eglBindAPI(EGL_OPENGL_ES_API);
     const std::array<EGLint, 3> attributes = {EGL_CONTEXT_MAJOR_VERSION, 3, EGL_NONE};
     context.context
         = eglCreateContext(context.display, EGL_NO_CONFIG_KHR, EGL_NO_CONTEXT, attributes.data());
     if (context.context == EGL_NO_CONTEXT)
-        return QStringLiteral("EGL gives no OpenGL ES 3 context");
+        return u"EGL gives no OpenGL ES 3 context"_s;
     context.makeCurrent();
     const QString renderer
         = QString::fromLatin1(reinterpret_cast<const char *>(glGetString(GL_RENDERER)));
     if (!renderer.contains(QLatin1String("llvmpipe")))
-        return QStringLiteral("OpenGL runs on %1, not on llvmpipe").arg(renderer);
+        return u"OpenGL runs on %1, not on llvmpipe"_s.arg(renderer);
     const int started = rasteriserThreads() - before;
     if (started != threads)
-        return QStringLiteral("asked for %1 rasteriser threads, Mesa started %2")
-            .arg(threads)
-            .arg(started);
+        return u"asked for %1 rasteriser threads, Mesa started %2"_s.arg(threads).arg(started);
     return context;
 }
 
@@ -213,16 +213,15 @@ private:
 void addLlvmpipe(Lineup &lineup)
 {
     const auto add = [&](int threads, int ownThreads, Platform platform) {
-        const QString name = QStringLiteral("Mesa llvmpipe, %1 thread%2")
-                                 .arg(threads)
-                                 .arg(threads == 1 ? QString() : QStringLiteral("s"));
+        const QString name
+            = u"Mesa llvmpipe, %1 thread%2"_s.arg(threads).arg(threads == 1 ? QString() : u"s"_s);
         const std::variant<Context, QString> made = contextWith(ownThreads, platform);
         if (const QString *reason = std::get_if<QString>(&made)) {
             lineup.absent.push_back({name, *reason});
             return;
         }
         ContenderInfo info;
-        info.id = QStringLiteral("llvmpipe-%1").arg(threads);
+        info.id = u"llvmpipe-%1"_s.arg(threads);
         info.name = name;
         info.threads = threads;
         lineup.contenders.push_back(std::make_unique<Llvmpipe>(info, *std::get_if<Context>(&made)));

@@ -6,6 +6,8 @@
 
 namespace pixelplumb::bench {
 
+using namespace Qt::StringLiterals;
+
 namespace {
 
 /// Flat colour: QPainter has no brush that interpolates between three vertices.
@@ -63,8 +65,8 @@ private:
 void addQPainter(Lineup &lineup)
 {
     ContenderInfo info;
-    info.id = QStringLiteral("qpainter");
-    info.name = QStringLiteral("Qt %1 QPainter::drawPolygon").arg(QLatin1String(qVersion()));
+    info.id = u"qpainter"_s;
+    info.name = u"Qt %1 QPainter::drawPolygon"_s.arg(QLatin1String(qVersion()));
     info.shading = Shading::Flat;
     lineup.contenders.push_back(std::make_unique<PainterPolygons>(info));
 }

@@ -6,6 +6,8 @@
 
 namespace pixelplumb::bench {
 
+using namespace Qt::StringLiterals;
+
 namespace {
 
 struct SurfaceDeleter {
@@ -69,10 +71,9 @@ void addSdl(Lineup &lineup)
     SDL_version version;
     SDL_GetVersion(&version);
     ContenderInfo info;
-    info.id = QStringLiteral("sdl2");
-    info.name = QStringLiteral("SDL %1.%2 RenderGeometry, software")
-                    .arg(int(version.major))
-                    .arg(int(version.minor));
+    info.id = u"sdl2"_s;
+    info.name
+        = u"SDL %1.%2 RenderGeometry, software"_s.arg(int(version.major)).arg(int(version.minor));
     info.sampleOffset = {unitsPerPixel / 2, -unitsPerPixel / 2};
     lineup.contenders.push_back(std::make_unique<Sdl>(info));
 }

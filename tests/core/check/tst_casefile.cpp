@@ -21,7 +21,7 @@ const QByteArray smallTriangle = "\"id\": \"small\", \"kind\": \"triangle\", \"s
 QString reasonFor(const QByteArray &text)
 {
     const Result<std::vector<HardCase>> cases = readHardCases(text);
-    return cases ? QStringLiteral("no error") : cases.error().message();
+    return cases ? u"no error"_s : cases.error().message();
 }
 
 } // namespace
@@ -35,11 +35,10 @@ private slots:
 
     void snapsACaseThatLiesOffTheLatticeAndReportsIt()
     {
-        const HardCase &hardCase = caseNamed(m_cases, QStringLiteral("denormal_offset"));
+        const HardCase &hardCase = caseNamed(m_cases, u"denormal_offset"_s);
 
         QCOMPARE(hardCase.displacements.size(), qsizetype(4));
-        QCOMPARE(hardCase.displacements.front(),
-                 QStringLiteral("vertices[0][0] by -7.174648137343064e-43 px"));
+        QCOMPARE(hardCase.displacements.front(), u"vertices[0][0] by -7.174648137343064e-43 px"_s);
         QCOMPARE(hardCase.triangles.front().vertices[1].position, latticePixel(3, 0));
     }
 

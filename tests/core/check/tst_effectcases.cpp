@@ -31,8 +31,7 @@ QString remarksOf(const CaseReport &report)
 {
     QStringList remarks;
     for (const ContenderVerdict &verdict : report.verdicts)
-        remarks.append(verdict.contender.name() + QStringLiteral(": ")
-                       + verdict.remarks.join(QStringLiteral("; ")));
+        remarks.append(verdict.contender.name() + u": "_s + verdict.remarks.join(u"; "_s));
     return remarks.join(u'\n');
 }
 
@@ -83,47 +82,37 @@ private slots:
         QTest::addColumn<QString>("method");
         QTest::addColumn<QStringList>("ids");
         QTest::newRow("column-scan")
-            << QStringLiteral("column-scan")
-            << QStringList{QStringLiteral("effect_board_in_perspective"),
-                           QStringLiteral("effect_far_away"),
-                           QStringLiteral("effect_uv_on_borders_in_perspective"),
-                           QStringLiteral("effect_depth_last_bit"),
-                           QStringLiteral("effect_depth_crossing_on_samples"),
-                           QStringLiteral("effect_depth_fighting_16_bits"),
-                           QStringLiteral("effect_t_junction_in_perspective"),
-                           QStringLiteral("effect_alphas_of_0_and_254"),
-                           QStringLiteral("effect_slivers_by_16_samples"),
-                           QStringLiteral("effect_samples_and_depth")};
+            << u"column-scan"_s
+            << QStringList{
+                   u"effect_board_in_perspective"_s,         u"effect_far_away"_s,
+                   u"effect_uv_on_borders_in_perspective"_s, u"effect_depth_last_bit"_s,
+                   u"effect_depth_crossing_on_samples"_s,    u"effect_depth_fighting_16_bits"_s,
+                   u"effect_t_junction_in_perspective"_s,    u"effect_alphas_of_0_and_254"_s,
+                   u"effect_slivers_by_16_samples"_s,        u"effect_samples_and_depth"_s};
         QTest::newRow("interpolate-bilinear")
-            << QStringLiteral("interpolate-bilinear")
-            << QStringList{QStringLiteral("effect_board_in_perspective"),
-                           QStringLiteral("effect_far_away"),
-                           QStringLiteral("effect_uv_on_borders_in_perspective"),
-                           QStringLiteral("effect_depth_last_bit"),
-                           QStringLiteral("effect_depth_crossing_on_samples"),
-                           QStringLiteral("effect_depth_fighting_exact"),
-                           QStringLiteral("effect_depth_fighting_16_bits"),
-                           QStringLiteral("effect_depth_24_bits_ties"),
-                           QStringLiteral("effect_t_junction_in_perspective"),
-                           QStringLiteral("effect_alphas_of_0_and_254"),
-                           QStringLiteral("effect_samples_and_depth")};
+            << u"interpolate-bilinear"_s
+            << QStringList{u"effect_board_in_perspective"_s,
+                           u"effect_far_away"_s,
+                           u"effect_uv_on_borders_in_perspective"_s,
+                           u"effect_depth_last_bit"_s,
+                           u"effect_depth_crossing_on_samples"_s,
+                           u"effect_depth_fighting_exact"_s,
+                           u"effect_depth_fighting_16_bits"_s,
+                           u"effect_depth_24_bits_ties"_s,
+                           u"effect_t_junction_in_perspective"_s,
+                           u"effect_alphas_of_0_and_254"_s,
+                           u"effect_samples_and_depth"_s};
         QTest::newRow("interpolate-plane")
-            << QStringLiteral("interpolate-plane")
-            << QStringList{QStringLiteral("effect_far_away"),
-                           QStringLiteral("effect_uv_on_borders_in_perspective"),
-                           QStringLiteral("effect_depth_last_bit"),
-                           QStringLiteral("effect_t_junction_in_perspective"),
-                           QStringLiteral("effect_samples_and_depth")};
+            << u"interpolate-plane"_s
+            << QStringList{u"effect_far_away"_s, u"effect_uv_on_borders_in_perspective"_s,
+                           u"effect_depth_last_bit"_s, u"effect_t_junction_in_perspective"_s,
+                           u"effect_samples_and_depth"_s};
         QTest::newRow("interpolate-barycentric")
-            << QStringLiteral("interpolate-barycentric")
-            << QStringList{QStringLiteral("effect_far_away"),
-                           QStringLiteral("effect_uv_on_borders_in_perspective"),
-                           QStringLiteral("effect_depth_last_bit"),
-                           QStringLiteral("effect_depth_crossing_on_samples"),
-                           QStringLiteral("effect_depth_24_bits_ties"),
-                           QStringLiteral("effect_alphas_of_0_and_254"),
-                           QStringLiteral("effect_without_area"),
-                           QStringLiteral("effect_samples_and_depth")};
+            << u"interpolate-barycentric"_s
+            << QStringList{u"effect_far_away"_s,           u"effect_uv_on_borders_in_perspective"_s,
+                           u"effect_depth_last_bit"_s,     u"effect_depth_crossing_on_samples"_s,
+                           u"effect_depth_24_bits_ties"_s, u"effect_alphas_of_0_and_254"_s,
+                           u"effect_without_area"_s,       u"effect_samples_and_depth"_s};
     }
     void inFloat32MethodsFallShortWhereRecorded()
     {
@@ -145,7 +134,7 @@ private slots:
 
     void aFalseFactFallsShort()
     {
-        HardCase hardCase = caseNamed(m_cases, QStringLiteral("effect_depth_last_bit"));
+        HardCase hardCase = caseNamed(m_cases, u"effect_depth_last_bit"_s);
         hardCase.facts[FillRule::Closed].colourHash = "0123456789abcdef";
 
         const CaseReport report = checkCase(hardCase, exactContenders());
@@ -156,7 +145,7 @@ private slots:
 
     void methodsWithoutEffectsAreSkippedAndNameThoseWithThem()
     {
-        const HardCase &hardCase = caseNamed(m_cases, QStringLiteral("effect_w_near_zero"));
+        const HardCase &hardCase = caseNamed(m_cases, u"effect_w_near_zero"_s);
 
         const CaseReport report = checkCase(
             hardCase,

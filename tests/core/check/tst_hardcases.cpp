@@ -66,8 +66,8 @@ private slots:
             const auto colour = oracle::colourAt(hardCase->triangles.front(), point.x, point.y);
             for (std::size_t channel = 0; channel < 3; ++channel) {
                 const QStringList parts = point.exactColour[channel].split(u'/');
-                const Quantity expected = Quantity::rational(
-                    parts.front().toLongLong(), parts.value(1, QStringLiteral("1")).toLongLong());
+                const Quantity expected = Quantity::rational(parts.front().toLongLong(),
+                                                             parts.value(1, u"1"_s).toLongLong());
                 QCOMPARE(toText(colour[channel]), toText(expected));
             }
         }
@@ -120,11 +120,11 @@ private slots:
               };
 
         const QStringList shortfalls
-            = shortfallsOf(caseNamed(m_cases, QStringLiteral("vertical_left")),
+            = shortfallsOf(caseNamed(m_cases, u"vertical_left"_s),
                            {Arithmetic::Exact, FillRule::Closed, ByteRounding::Nearest}, lossy);
 
-        QCOMPARE(shortfalls.value(0), QStringLiteral("1 pixel missing"));
-        QCOMPARE(shortfalls.value(1), QStringLiteral("pixel count 76 instead of 77"));
+        QCOMPARE(shortfalls.value(0), u"1 pixel missing"_s);
+        QCOMPARE(shortfalls.value(1), u"pixel count 76 instead of 77"_s);
     }
 
     void aDrawingThatTruncatesFallsShortInColour()
@@ -136,10 +136,10 @@ private slots:
               };
 
         const QStringList shortfalls = shortfallsOf(
-            caseNamed(m_cases, QStringLiteral("frame_exact_fit")),
+            caseNamed(m_cases, u"frame_exact_fit"_s),
             {Arithmetic::Exact, FillRule::TopLeft, ByteRounding::Nearest}, truncating);
 
-        QVERIFY(shortfalls.value(0).endsWith(QStringLiteral("in another colour")));
+        QVERIFY(shortfalls.value(0).endsWith(u"in another colour"_s));
     }
 
     void aDrawingThatChangesWhenMovedFallsShort()
@@ -152,10 +152,10 @@ private slots:
               };
 
         const QStringList shortfalls
-            = shortfallsOf(caseNamed(m_cases, QStringLiteral("translation_invariance")),
+            = shortfallsOf(caseNamed(m_cases, u"translation_invariance"_s),
                            {Arithmetic::Exact, FillRule::Closed, ByteRounding::Nearest}, local);
 
-        QCOMPARE(shortfalls, QStringList{QStringLiteral("distinct pictures 2 instead of 1")});
+        QCOMPARE(shortfalls, QStringList{u"distinct pictures 2 instead of 1"_s});
     }
 
     void aDrawingThatOverdrawsASharedEdgeFallsShort()
@@ -167,11 +167,10 @@ private slots:
               };
 
         const QStringList shortfalls = shortfallsOf(
-            caseNamed(m_cases, QStringLiteral("vertical_both_ends_quad")),
+            caseNamed(m_cases, u"vertical_both_ends_quad"_s),
             {Arithmetic::Exact, FillRule::HalfOpenColumn, ByteRounding::Nearest}, closed);
 
-        QCOMPARE(shortfalls,
-                 QStringList{QStringLiteral("coverage (times×pixels) 1×416 2×9 instead of 1×384")});
+        QCOMPARE(shortfalls, QStringList{u"coverage (times×pixels) 1×416 2×9 instead of 1×384"_s});
     }
 
     // Facts about vertices off the lattice do not hold for the snapped vertices that are drawn.
@@ -224,11 +223,11 @@ private slots:
         };
 
         const QStringList shortfalls = shortfallsOf(
-            caseNamed(m_cases, QStringLiteral("moving_sliver")),
+            caseNamed(m_cases, u"moving_sliver"_s),
             {Arithmetic::Exact, FillRule::Closed, ByteRounding::Nearest}, flickering);
 
         QCOMPARE(shortfalls.size(), qsizetype(2));
-        QCOMPARE(shortfalls.back(), QStringLiteral("toggles 760 instead of 729")); // 31 more
+        QCOMPARE(shortfalls.back(), u"toggles 760 instead of 729"_s); // 31 more
     }
 
 private:

@@ -30,17 +30,16 @@ private slots:
         QTest::addColumn<Arithmetic>("arithmetic");
         QTest::addColumn<QStringList>("failed");
         QTest::newRow("DDA, exact") << "line-dda" << Arithmetic::Exact << QStringList();
-        QTest::newRow("DDA, float32 drifts") << "line-dda" << Arithmetic::Float32
-                                             << QStringList({QStringLiteral("line_long_16381")});
+        QTest::newRow("DDA, float32 drifts")
+            << "line-dda" << Arithmetic::Float32 << QStringList({u"line_long_16381"_s});
         QTest::newRow("Bresenham, from the left end")
             << "line-bresenham" << Arithmetic::Exact << QStringList();
         QTest::newRow("Bresenham, ties up")
             << "line-bresenham-symmetric" << Arithmetic::Exact << QStringList();
         QTest::newRow("y = mx + b: casts, gaps, no slope")
             << "line-slope-intercept" << Arithmetic::Exact
-            << QStringList({QStringLiteral("line_negative"), QStringLiteral("line_steep"),
-                            QStringLiteral("line_vertical"), QStringLiteral("line_point"),
-                            QStringLiteral("line_diagonal")});
+            << QStringList({u"line_negative"_s, u"line_steep"_s, u"line_vertical"_s,
+                            u"line_point"_s, u"line_diagonal"_s});
     }
     void hardCasesAreFailedByTheFormsThatTheyStress()
     {

@@ -72,7 +72,7 @@ private slots:
 
         const Result<std::vector<HardCase>> cases = readHardCases(caseFile(members));
 
-        const QString found = cases ? QStringLiteral("no error") : cases.error().message();
+        const QString found = cases ? u"no error"_s : cases.error().message();
         QVERIFY2(found.endsWith(message), qPrintable(found));
     }
 
@@ -86,8 +86,8 @@ private slots:
 
         QVERIFY(!cases.isOk());
         QVERIFY(cases.error().message().endsWith(
-            QStringLiteral("cases[0].endpoints: ends off the lattice; expected multiples of "
-                           "1/256 px")));
+            u"cases[0].endpoints: ends off the lattice; expected multiples of "
+            "1/256 px"_s));
     }
 
 private:

@@ -45,8 +45,7 @@ QString remarksOf(const CaseReport &report)
 {
     QStringList remarks = report.remarks;
     for (const ContenderVerdict &verdict : report.verdicts)
-        remarks.append(verdict.contender.name() + QStringLiteral(": ")
-                       + verdict.remarks.join(QStringLiteral("; ")));
+        remarks.append(verdict.contender.name() + u": "_s + verdict.remarks.join(u"; "_s));
     return remarks.join(u'\n');
 }
 
@@ -156,10 +155,10 @@ private slots:
         add("attributes, count", "shape_attributes_depth_range", "pixel count", count);
         add("attributes, z", "shape_attributes_samples_on_edges",
             "pixel (3, 1): z is 3/10 instead of 1/3", [](HardCase &hardCase) {
-                hardCase.points.front().values[QStringLiteral("z")] = Quantity::rational(1, 3);
+                hardCase.points.front().values[u"z"_s] = Quantity::rational(1, 3);
             });
         add("attributes, v", "shape_attributes_far_sliver", ": v is ", [](HardCase &hardCase) {
-            hardCase.points.back().values[QStringLiteral("v")] = Quantity::integer(7);
+            hardCase.points.back().values[u"v"_s] = Quantity::integer(7);
         });
     }
     void aFalseFactFallsShort()
@@ -178,8 +177,8 @@ private slots:
 
     void onlyInterpolationAnswersForValues()
     {
-        HardCase hardCase = caseNamed(m_cases, QStringLiteral("shape_attributes_level_sliver"));
-        hardCase.points.front().values[QStringLiteral("z")] = Quantity::integer(0);
+        HardCase hardCase = caseNamed(m_cases, u"shape_attributes_level_sliver"_s);
+        hardCase.points.front().values[u"z"_s] = Quantity::integer(0);
 
         const CaseReport report = checkCase(hardCase, stableContenders());
 
@@ -201,23 +200,21 @@ private slots:
     {
         QTest::addColumn<QString>("method");
         QTest::addColumn<QStringList>("ids");
-        QTest::newRow("line-dda") << QStringLiteral("line-dda")
-                                  << QStringList{QStringLiteral("shape_line_far_2_20"),
-                                                 QStringLiteral("shape_line_far_minus_16384"),
-                                                 QStringLiteral("shape_line_far_2_30"),
-                                                 QStringLiteral("shape_line_off_pixel_ties"),
-                                                 QStringLiteral("shape_line_off_pixel_steep_far"),
-                                                 QStringLiteral("shape_line_long_primes"),
-                                                 QStringLiteral("shape_line_drift_at_16000")};
+        QTest::newRow("line-dda") << u"line-dda"_s
+                                  << QStringList{u"shape_line_far_2_20"_s,
+                                                 u"shape_line_far_minus_16384"_s,
+                                                 u"shape_line_far_2_30"_s,
+                                                 u"shape_line_off_pixel_ties"_s,
+                                                 u"shape_line_off_pixel_steep_far"_s,
+                                                 u"shape_line_long_primes"_s,
+                                                 u"shape_line_drift_at_16000"_s};
         QTest::newRow("polygon-parity")
-            << QStringLiteral("polygon-parity")
-            << QStringList{QStringLiteral("shape_polygon_touching_itself"),
-                           QStringLiteral("shape_polygon_pentagram_even_odd"),
-                           QStringLiteral("shape_polygon_pentagram_non_zero"),
-                           QStringLiteral("shape_polygon_far_sliver"),
-                           QStringLiteral("shape_polygon_far_crossing"),
-                           QStringLiteral("shape_polygon_far_tiling"),
-                           QStringLiteral("shape_polygon_steep_drift")};
+            << u"polygon-parity"_s
+            << QStringList{
+                   u"shape_polygon_touching_itself"_s,    u"shape_polygon_pentagram_even_odd"_s,
+                   u"shape_polygon_pentagram_non_zero"_s, u"shape_polygon_far_sliver"_s,
+                   u"shape_polygon_far_crossing"_s,       u"shape_polygon_far_tiling"_s,
+                   u"shape_polygon_steep_drift"_s};
     }
     void roundingFormsFallShortWhereRecorded()
     {
@@ -241,7 +238,7 @@ private slots:
     void skipsAPolygonThatAMethodRefuses()
     {
         const CaseReport report = checkCase(
-            caseNamed(m_cases, QStringLiteral("shape_polygon_pentagram_non_zero")),
+            caseNamed(m_cases, u"shape_polygon_pentagram_non_zero"_s),
             {{methodNamed(u"polygon-fan"), {Arithmetic::Exact, FillRule::TopLeft, nearest}},
              {methodNamed(u"polygon-delaunay"), {Arithmetic::Exact, FillRule::TopLeft, nearest}}});
 
@@ -252,14 +249,14 @@ private slots:
 
     void saysWhatNoMethodDraws()
     {
-        const CaseReport report = checkCase(caseNamed(m_cases, QStringLiteral("shape_circle_ties")),
-                                            stableContenders());
+        const CaseReport report
+            = checkCase(caseNamed(m_cases, u"shape_circle_ties"_s), stableContenders());
 
-        QCOMPARE(report.remarks,
-                 QStringList{QStringLiteral(
-                     "none of the methods checked draws an outlined circle; by name can be "
-                     "checked: circle-midpoint, circle-explicit, circle-parametric, "
-                     "stroke-coverage")});
+        QCOMPARE(
+            report.remarks,
+            QStringList{u"none of the methods checked draws an outlined circle; by name can be "
+                        "checked: circle-midpoint, circle-explicit, circle-parametric, "
+                        "stroke-coverage"_s});
     }
 
 private:

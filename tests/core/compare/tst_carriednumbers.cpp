@@ -86,7 +86,7 @@ private slots:
         for (const CarriedAgreement &each : contest->carried) {
             QVERIFY(each.second < 3); // the column scan carries nothing
             QCOMPARE(each.samples, contest->runs[0].tally.written);
-            const bool isRounded = each.second == 2 && each.title != QStringLiteral("v");
+            const bool isRounded = each.second == 2 && each.title != u"v"_s;
             QCOMPARE(each.differing > 0, isRounded);
             QCOMPARE(each.largest > 0, isRounded);
             QVERIFY(each.largest < 1e-4);

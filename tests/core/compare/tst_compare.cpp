@@ -139,11 +139,10 @@ private slots:
         QCOMPARE(deviation.exact, Quantity::integer(1));
         QCOMPARE(deviation.used, Quantity::of(1.0000001f));
         QVERIFY(deviation.isTie);
-        QCOMPARE(
-            pixel.opinions[1].words,
-            QStringLiteral("missing: y_B = 1.0000001 instead of 1, 1.2e−07 px too high; "
-                           "float32 could hold the exact bound, but the increments added up to "
-                           "a different one; the sample lies exactly on an edge"));
+        QCOMPARE(pixel.opinions[1].words,
+                 u"missing: y_B = 1.0000001 instead of 1, 1.2e−07 px too high; "
+                 "float32 could hold the exact bound, but the increments added up to "
+                 "a different one; the sample lies exactly on an edge"_s);
     }
 
     void namesTheTieRuleWhereOnlyTheRulesDiffer()
@@ -219,7 +218,7 @@ private slots:
             for (std::int64_t x = 0; x < 1001; ++x) {
                 if (contest->agreement.reasonAt(x, y) != reversed->agreement.reasonAt(x, y)
                     || contest->agreement.agreeingAt(x, y) != reversed->agreement.agreeingAt(x, y))
-                    QFAIL(qPrintable(QStringLiteral("pixel (%1, %2)").arg(x).arg(y)));
+                    QFAIL(qPrintable(u"pixel (%1, %2)"_s.arg(x).arg(y)));
             }
         }
         QCOMPARE(contest->runs[0].tally.differsFrom[2], reversed->runs[2].tally.differsFrom[0]);
@@ -256,10 +255,10 @@ private slots:
         QTest::addColumn<QString>("formula");
         QTest::addColumn<bool>("incremental");
         QTest::newRow("none") << QString() << false;
-        QTest::newRow("step") << QStringLiteral("y_B ← y_B′ + m") << true;
-        QTest::newRow("decision") << QStringLiteral("p ← p′ + 2Δy") << true;
-        QTest::newRow("direct") << QStringLiteral("y = m·x + b") << false;
-        QTest::newRow("set once") << QStringLiteral("E ← a·x + b·y + c") << false;
+        QTest::newRow("step") << u"y_B ← y_B′ + m"_s << true;
+        QTest::newRow("decision") << u"p ← p′ + 2Δy"_s << true;
+        QTest::newRow("direct") << u"y = m·x + b"_s << false;
+        QTest::newRow("set once") << u"E ← a·x + b·y + c"_s << false;
     }
     void readsIncrementsFromFormulas()
     {

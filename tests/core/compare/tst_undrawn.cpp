@@ -51,7 +51,7 @@ private slots:
                     undrawn += run.isUndrawn(x, y) ? 1 : 0;
                     if (*frame.at(x, y) == *contest->runs[1].picture.view().at(x, y))
                         continue;
-                    const QString place = QStringLiteral("%1 (%2, %3)").arg(name).arg(x).arg(y);
+                    const QString place = u"%1 (%2, %3)"_s.arg(name).arg(x).arg(y);
                     QVERIFY2(isOwn || run.isUndrawn(x, y)
                                  || differenceAt(contest->judged(0), x, y) != Difference::None,
                              qPrintable(place));
@@ -87,7 +87,7 @@ private slots:
         QCOMPARE(contest->agreement.reasonAt(40, 40), Disagreement::Undrawn);
         QCOMPARE(contest->runs[0].tally.undrawn, 1);
         QCOMPARE(comparePixel(*contest, 40, 40).opinions[0].words,
-                 QStringLiteral("column-scan does not draw point 1, which stands here."));
+                 u"column-scan does not draw point 1, which stands here."_s);
     }
 };
 

@@ -25,10 +25,9 @@ private slots:
         buffer.open(QIODevice::WriteOnly);
         const auto writer = makeCsvWriter(buffer);
 
-        writer->begin(
-            {{QStringLiteral("a"), Field::Kind::Text}, {QStringLiteral("b"), Field::Kind::Text}});
-        writer->writeRow({QStringLiteral("1, 2"), QStringLiteral("say \"yes\"\nor no")});
-        writer->writeRow({QString(), QStringLiteral("ÄΔ")});
+        writer->begin({{u"a"_s, Field::Kind::Text}, {u"b"_s, Field::Kind::Text}});
+        writer->writeRow({u"1, 2"_s, u"say \"yes\"\nor no"_s});
+        writer->writeRow({QString(), u"ÄΔ"_s});
         writer->end();
 
         QCOMPARE(bytes, QByteArray("a,b\r\n\"1, 2\",\"say \"\"yes\"\"\nor no\"\r\n,ÄΔ\r\n"));
@@ -77,24 +76,21 @@ private slots:
         buffer.open(QIODevice::WriteOnly);
         const auto writer = makeJsonWriter(buffer, {});
 
-        writer->begin({{QStringLiteral("error"), Field::Kind::Error},
-                       {QStringLiteral("name"), Field::Kind::Text},
-                       {QStringLiteral("count"), Field::Kind::Number}});
-        writer->writeRow({Quantity::of(std::numeric_limits<double>::quiet_NaN()),
-                          QStringLiteral("a\"b"), Quantity()});
+        writer->begin({{u"error"_s, Field::Kind::Error},
+                       {u"name"_s, Field::Kind::Text},
+                       {u"count"_s, Field::Kind::Number}});
+        writer->writeRow(
+            {Quantity::of(std::numeric_limits<double>::quiet_NaN()), u"a\"b"_s, Quantity()});
         writer->writeRow({Quantity::of(-std::numeric_limits<double>::infinity()), QString(),
                           Quantity::integer(7)});
         writer->end();
 
         const QJsonDocument document = QJsonDocument::fromJson(bytes);
-        QCOMPARE(document[QStringLiteral("rows")][0][QStringLiteral("error")].toString(),
-                 QStringLiteral("nan"));
-        QCOMPARE(document[QStringLiteral("rows")][0][QStringLiteral("name")].toString(),
-                 QStringLiteral("a\"b"));
-        QVERIFY(document[QStringLiteral("rows")][0][QStringLiteral("count")].isNull());
-        QCOMPARE(document[QStringLiteral("rows")][1][QStringLiteral("error")].toString(),
-                 QStringLiteral("-inf"));
-        QCOMPARE(document[QStringLiteral("rows")][1][QStringLiteral("count")].toInt(), 7);
+        QCOMPARE(document[u"rows"_s][0][u"error"_s].toString(), u"nan"_s);
+        QCOMPARE(document[u"rows"_s][0][u"name"_s].toString(), u"a\"b"_s);
+        QVERIFY(document[u"rows"_s][0][u"count"_s].isNull());
+        QCOMPARE(document[u"rows"_s][1][u"error"_s].toString(), u"-inf"_s);
+        QCOMPARE(document[u"rows"_s][1][u"count"_s].toInt(), 7);
     }
 
     void spellsNumbersForProgramsWithoutLosingADigit_data()
@@ -136,19 +132,19 @@ private slots:
         buffer.open(QIODevice::WriteOnly);
         const auto writer = makeTextWriter(buffer, TextNumbers::Mixed);
 
-        writer->begin({{QStringLiteral("x"), Field::Kind::Number},
-                       {QStringLiteral("y_B"), Field::Kind::Number, QStringLiteral("⌈y⌉")},
-                       {QStringLiteral("fate"), Field::Kind::Text}});
-        writer->writeRow({Quantity::integer(9), Quantity::rational(277, 54), QStringLiteral("a")});
+        writer->begin({{u"x"_s, Field::Kind::Number},
+                       {u"y_B"_s, Field::Kind::Number, u"⌈y⌉"_s},
+                       {u"fate"_s, Field::Kind::Text}});
+        writer->writeRow({Quantity::integer(9), Quantity::rational(277, 54), u"a"_s});
         writer->writeRow({Quantity::integer(10), Quantity::rational(-7, 8), QString()});
-        writer->writeRow({Quantity::integer(-1), Quantity::integer(12), QStringLiteral("bc")});
+        writer->writeRow({Quantity::integer(-1), Quantity::integer(12), u"bc"_s});
         writer->end();
 
         QCOMPARE(QString::fromUtf8(bytes),
-                 QStringLiteral(" x      ⌈y⌉  fate\n"
-                                " 9   5 7/54  a\n"
-                                "10     −7/8\n"
-                                "−1  12       bc\n"));
+                 u" x      ⌈y⌉  fate\n"
+                 " 9   5 7/54  a\n"
+                 "10     −7/8\n"
+                 "−1  12       bc\n"_s);
     }
 };
 

@@ -25,7 +25,7 @@ namespace {
 
 Scene defaultScene(Arithmetic arithmetic = Arithmetic::Exact)
 {
-    Scene scene = readSceneFile(resource(QStringLiteral("/scenes/default.json")))->scene;
+    Scene scene = readSceneFile(resource(u"/scenes/default.json"_s))->scene;
     scene.settings.arithmetic = arithmetic;
     return scene;
 }
@@ -56,9 +56,8 @@ QMap<QString, QString> formulasOf(const Scene &scene, TraceLevel level)
     QMap<QString, QString> formulas;
     const auto document
         = QJsonDocument::fromJson(exported(scene, level, TableFormat::Json)).object();
-    for (const QJsonValue &column : document[QStringLiteral("columns")].toArray())
-        formulas[column[QStringLiteral("id")].toString()]
-            = column[QStringLiteral("formula")].toString();
+    for (const QJsonValue &column : document[u"columns"_s].toArray())
+        formulas[column[u"id"_s].toString()] = column[u"formula"_s].toString();
     return formulas;
 }
 
@@ -194,12 +193,11 @@ private slots:
         const QJsonDocument document = QJsonDocument::fromJson(
             exported(defaultScene(), TraceLevel::Pixel, TableFormat::Json));
 
-        const QJsonArray rows = document[QStringLiteral("rows")].toArray();
+        const QJsonArray rows = document[u"rows"_s].toArray();
         QVERIFY(!rows.isEmpty());
         for (const QJsonValue &row : rows) {
-            QCOMPARE(row[QStringLiteral("R")].toDouble(-1),
-                     valueOf(row[QStringLiteral("R_exact")].toString()));
-            QCOMPARE(row[QStringLiteral("R_error")].toDouble(-1), 0.0);
+            QCOMPARE(row[u"R"_s].toDouble(-1), valueOf(row[u"R_exact"_s].toString()));
+            QCOMPARE(row[u"R_error"_s].toDouble(-1), 0.0);
         }
     }
 
@@ -208,12 +206,12 @@ private slots:
         const QJsonDocument document = QJsonDocument::fromJson(
             exported(defaultScene(Arithmetic::Float32), TraceLevel::Column, TableFormat::Json));
 
-        const QJsonValue row = document[QStringLiteral("rows")][1];
-        QCOMPARE(row[QStringLiteral("y_B_exact")].toString(), QStringLiteral("277/54"));
+        const QJsonValue row = document[u"rows"_s][1];
+        QCOMPARE(row[u"y_B_exact"_s].toString(), u"277/54"_s);
         const float used = 5 + 7 / 54.0F;
-        QCOMPARE(float(row[QStringLiteral("y_B")].toDouble()), used);
+        QCOMPARE(float(row[u"y_B"_s].toDouble()), used);
         const double error = double(used) - (5 + 7 / 54.0);
-        QVERIFY(qAbs(row[QStringLiteral("y_B_error")].toDouble() - error) < 1e-14);
+        QVERIFY(qAbs(row[u"y_B_error"_s].toDouble() - error) < 1e-14);
     }
 
     void saysInJsonHowTheTableWasMade()
@@ -221,14 +219,14 @@ private slots:
         const QJsonDocument document = QJsonDocument::fromJson(
             exported(defaultScene(Arithmetic::Fixed16), TraceLevel::Column, TableFormat::Json));
 
-        QCOMPARE(document[QStringLiteral("pixelplumbTrace")].toInt(), 2);
-        QCOMPARE(document[QStringLiteral("level")].toString(), QStringLiteral("column"));
-        QCOMPARE(document[QStringLiteral("method")].toString(), QStringLiteral("column-scan"));
-        QCOMPARE(document[QStringLiteral("arithmetic")].toString(), QStringLiteral("fixed16.16"));
-        QCOMPARE(document[QStringLiteral("fillRule")].toString(), QStringLiteral("closed"));
-        QCOMPARE(document[QStringLiteral("rounding")].toString(), QStringLiteral("nearest"));
-        QCOMPARE(document[QStringLiteral("cut")].toBool(true), false);
-        QCOMPARE(document[QStringLiteral("columns")].toArray().size(),
+        QCOMPARE(document[u"pixelplumbTrace"_s].toInt(), 2);
+        QCOMPARE(document[u"level"_s].toString(), u"column"_s);
+        QCOMPARE(document[u"method"_s].toString(), u"column-scan"_s);
+        QCOMPARE(document[u"arithmetic"_s].toString(), u"fixed16.16"_s);
+        QCOMPARE(document[u"fillRule"_s].toString(), u"closed"_s);
+        QCOMPARE(document[u"rounding"_s].toString(), u"nearest"_s);
+        QCOMPARE(document[u"cut"_s].toBool(true), false);
+        QCOMPARE(document[u"columns"_s].toArray().size(),
                  qsizetype(methodNamed(u"column-scan")->numbers.span.size()));
     }
 
@@ -237,13 +235,13 @@ private slots:
         const QJsonDocument document = QJsonDocument::fromJson(
             exported(defaultScene(), TraceLevel::Column, TableFormat::Json));
 
-        const QJsonArray rows = document[QStringLiteral("rows")].toArray();
+        const QJsonArray rows = document[u"rows"_s].toArray();
         for (const QJsonValue &row : rows) {
-            QVERIFY(row[QStringLiteral("x")].isDouble());
-            QVERIFY(row[QStringLiteral("pixels")].isDouble());
-            QVERIFY(row[QStringLiteral("y_B")].isDouble());
-            QVERIFY(row[QStringLiteral("y_B_exact")].isString());
-            QVERIFY(row[QStringLiteral("y_B_error")].isDouble());
+            QVERIFY(row[u"x"_s].isDouble());
+            QVERIFY(row[u"pixels"_s].isDouble());
+            QVERIFY(row[u"y_B"_s].isDouble());
+            QVERIFY(row[u"y_B_exact"_s].isString());
+            QVERIFY(row[u"y_B_error"_s].isDouble());
         }
     }
 
@@ -255,52 +253,51 @@ private slots:
                  qsizetype(1));
         const QJsonDocument document
             = QJsonDocument::fromJson(exported(scene, TraceLevel::Pixel, TableFormat::Json));
-        QVERIFY(document[QStringLiteral("rows")].isArray());
-        QVERIFY(document[QStringLiteral("rows")].toArray().isEmpty());
+        QVERIFY(document[u"rows"_s].isArray());
+        QVERIFY(document[u"rows"_s].toArray().isEmpty());
     }
 
     void givesTheFormulasByWhichTheRunComputed()
     {
         // Falls from (20, 44) to (30, 41): c = 2·3 − 2·10·44 − 2·3·20 − 10 = −1004.
         const Scene falling = sceneOf(lineAt(20, 44, 30, 41), "line-bresenham", frameOf(48, 48));
-        QCOMPARE(formulasOf(falling, TraceLevel::SetUp)[QStringLiteral("c")],
-                 QStringLiteral("c = 2Δy − 2·Δx·y₀ − 2Δy·x₀ − Δx"));
+        QCOMPARE(formulasOf(falling, TraceLevel::SetUp)[u"c"_s],
+                 u"c = 2Δy − 2·Δx·y₀ − 2Δy·x₀ − Δx"_s);
         QVERIFY(exported(falling, TraceLevel::SetUp, TableFormat::Csv).contains(",-1004"));
         const auto steps = formulasOf(falling, TraceLevel::Column);
-        QCOMPARE(steps[QStringLiteral("y_line")],
-                 QStringLiteral("y_line = y₀ − (x_k + 1 − x₀)·Δy/Δx"));
-        QCOMPARE(steps[QStringLiteral("d_lower")], QStringLiteral("d_lower = y_k − y_line"));
-        QCOMPARE(steps[QStringLiteral("d_upper")], QStringLiteral("d_upper = y_line − (y_k − 1)"));
+        QCOMPARE(steps[u"y_line"_s], u"y_line = y₀ − (x_k + 1 − x₀)·Δy/Δx"_s);
+        QCOMPARE(steps[u"d_lower"_s], u"d_lower = y_k − y_line"_s);
+        QCOMPARE(steps[u"d_upper"_s], u"d_upper = y_line − (y_k − 1)"_s);
 
         // 4·4² px of x, 3 of y: p₀ = 9 − 16·3 + 4 = −35; for equal radii 5/4 − 4.
         const Scene ellipse
             = sceneOf(ellipseAtUnits(latticePixel(20, 20), 4 * unitsPerPixel, 3 * unitsPerPixel),
                       "circle-midpoint", frameOf(48, 48));
-        QCOMPARE(formulasOf(ellipse, TraceLevel::SetUp)[QStringLiteral("p_0")],
-                 QStringLiteral("p₀ = r_y² − r_x²·r_y + r_x²/4"));
+        QCOMPARE(formulasOf(ellipse, TraceLevel::SetUp)[u"p_0"_s],
+                 u"p₀ = r_y² − r_x²·r_y + r_x²/4"_s);
         QVERIFY(exported(ellipse, TraceLevel::SetUp, TableFormat::Csv).contains(",-35"));
         QCOMPARE(formulasOf(sceneOf(circleAt(20, 20, 4), "circle-midpoint", frameOf(48, 48)),
-                            TraceLevel::SetUp)[QStringLiteral("p_0")],
-                 QStringLiteral("p₀ = 5/4 − r_x"));
+                            TraceLevel::SetUp)[u"p_0"_s],
+                 u"p₀ = 5/4 − r_x"_s);
 
         Scene varied = smallTriangle("column-scan");
         varied.settings.variants
             = VariantSet().with(Variant::DivisorMinusOne).with(Variant::NoColourPreStep);
-        QCOMPARE(formulasOf(varied, TraceLevel::SetUp)[QStringLiteral("m_01")],
-                 QStringLiteral("m₀₁ = (y₁ − y₀)/(x₁ − x₀ − 1)"));
-        QVERIFY(!formulasOf(varied, TraceLevel::Pixel)[QStringLiteral("R")].contains(u'⌈'));
+        QCOMPARE(formulasOf(varied, TraceLevel::SetUp)[u"m_01"_s],
+                 u"m₀₁ = (y₁ − y₀)/(x₁ − x₀ − 1)"_s);
+        QVERIFY(!formulasOf(varied, TraceLevel::Pixel)[u"R"_s].contains(u'⌈'));
 
         // The line through (1, 1) and (3, 3) passes through (0, 0).
         const auto solved = formulasOf(smallTriangle("edge-equations-solved", latticePixel(3, 3)),
                                        TraceLevel::SetUp);
         int divided = 0;
         for (const char *id : {"a_0", "a_1", "a_2"})
-            divided += solved[QString::fromLatin1(id)].contains(QStringLiteral("/q")) ? 1 : 0;
+            divided += solved[QString::fromLatin1(id)].contains(u"/q"_s) ? 1 : 0;
         QCOMPARE(divided, 2);
 
         const QString alongSegment = formulasOf(smallTriangle("edge-equations", latticePixel(4, 2)),
-                                                TraceLevel::Pixel)[QStringLiteral("R")];
-        QVERIFY2(alongSegment.contains(QStringLiteral("(x − x")), qPrintable(alongSegment));
+                                                TraceLevel::Pixel)[u"R"_s];
+        QVERIFY2(alongSegment.contains(u"(x − x"_s), qPrintable(alongSegment));
     }
 
     /// The second triangle has one colour, which is neither carried nor divided.
@@ -314,8 +311,8 @@ private slots:
         for (std::size_t i = 0; i < 6; ++i)
             scene.attributes[i / 3].vertices[i % 3].w = Attribute(1 + i % 3) * attributeOne;
         scene.attributes[1].triangle = 1;
-        QCOMPARE(formulasOf(scene, TraceLevel::Pixel)[QStringLiteral("R")],
-                 QStringLiteral("R = R_w/q; other values by no formula of this list"));
+        QCOMPARE(formulasOf(scene, TraceLevel::Pixel)[u"R"_s],
+                 u"R = R_w/q; other values by no formula of this list"_s);
     }
 
     /// All formulas of each number, and no formula that no step has.
@@ -338,8 +335,7 @@ private slots:
                 const QSet<QString> &symbols = told[std::size_t(kind)];
                 QSet<QString> written;
                 for (const QString &formulas : formulasOf(scene, level)) {
-                    for (const QString &formula :
-                         formulas.split(QStringLiteral("; "), Qt::SkipEmptyParts))
+                    for (const QString &formula : formulas.split(u"; "_s, Qt::SkipEmptyParts))
                         written.insert(formula);
                 }
                 for (const QString &formula : written)
@@ -365,7 +361,7 @@ private slots:
         TraceExportOptions options;
         options.format = TableFormat::Text;
         options.textNumbers = TextNumbers::Decimal;
-        options.columns = {QStringLiteral("x"), QStringLiteral("y_T")};
+        options.columns = {u"x"_s, u"y_T"_s};
 
         const QByteArray bytes = exported(*traceScene(defaultScene()), options);
         QVERIFY(!bytes.isEmpty());
@@ -392,7 +388,7 @@ private slots:
         TraceExportOptions options;
         options.format = TableFormat::Text;
         options.textNumbers = TextNumbers::Decimal;
-        options.columns = {QStringLiteral("y_B"), QStringLiteral("first_row")};
+        options.columns = {u"y_B"_s, u"first_row"_s};
 
         const QByteArray bytes = exported(*traceScene(scene), options);
         QVERIFY(!bytes.isEmpty());

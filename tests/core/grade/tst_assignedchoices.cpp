@@ -27,14 +27,14 @@ QByteArray assignmentWith(const QByteArray &more, const QByteArray &scene = {})
 
 bool deliver(const QTemporaryDir &folder, const QString &file, const QByteArray &content)
 {
-    const QString path = folder.filePath(QStringLiteral("subs/") + file);
+    const QString path = folder.filePath(u"subs/"_s + file);
     return QDir().mkpath(QFileInfo(path).path()) && !writeFile(path, content);
 }
 
 GradedSubmission gradedBy(const Assignment &assignment, const QTemporaryDir &folder)
 {
     Grader grader(assignment);
-    const SubmissionEntry entry(QFile::encodeName(folder.filePath(QStringLiteral("subs"))), "ann");
+    const SubmissionEntry entry(QFile::encodeName(folder.filePath(u"subs"_s)), "ann");
     return grader.grade(entry)->submission;
 }
 
@@ -95,7 +95,7 @@ private slots:
         const bool isAsked = convention == FrameConvention::AsAsked;
         const auto any = readAssignment(assignmentWith(R"("convention": "any", )"));
         const QTemporaryDir folder;
-        QVERIFY(deliver(folder, QStringLiteral("ann/one.ppm"), pictureIn(*any, convention)));
+        QVERIFY(deliver(folder, u"ann/one.ppm"_s, pictureIn(*any, convention)));
         const GradedSubmission graded = gradedBy(*any, folder);
         QCOMPARE(graded.verdict, GradeVerdict::Right);
         QCOMPARE(graded.points(), any->points());
@@ -114,7 +114,7 @@ private slots:
         QByteArray picture = pictureIn(*assignment, FrameConvention::AsAsked);
         picture.replace("255\n0 0 0 ", "255\n9 9 9 ");
         const QTemporaryDir folder;
-        QVERIFY(deliver(folder, QStringLiteral("ann/one.ppm"), picture));
+        QVERIFY(deliver(folder, u"ann/one.ppm"_s, picture));
         const GradedSubmission graded = gradedBy(*assignment, folder);
         QCOMPARE(graded.verdict, GradeVerdict::Wrong);
         QVERIFY(!graded.convention);
@@ -140,7 +140,7 @@ private slots:
         QVERIFY2(assignment.isOk(),
                  assignment.isOk() ? "" : qPrintable(assignment.error().message()));
         const QTemporaryDir folder;
-        QVERIFY(deliver(folder, QStringLiteral("ann/main.py"), programWith(rule)));
+        QVERIFY(deliver(folder, u"ann/main.py"_s, programWith(rule)));
         const GradedSubmission graded = gradedBy(*assignment, folder);
         const GradedCheck &check = graded.scenes[0].checks.back();
         QCOMPARE(check.check, Check::Invariants);
@@ -167,21 +167,20 @@ private slots:
         const auto assignment = readAssignment(
             assignmentWith(R"("program": {}, "points": { "invariants": 3 }, "leeway": "rule", )"));
         const QTemporaryDir folder;
-        QVERIFY(deliver(folder, QStringLiteral("ann/main.py"), programWith(rule)));
+        QVERIFY(deliver(folder, u"ann/main.py"_s, programWith(rule)));
         const GradedSubmission ann = gradedBy(*assignment, folder);
         const GradeReport report{*assignment, {ann}};
 
         QCOMPARE(ann.verdict, GradeVerdict::Right);
         QVERIFY(ann.points() < assignment->points());
-        const QString told = QStringLiteral("pictures right, ") + lost;
+        const QString told = u"pictures right, "_s + lost;
         QVERIFY2(verdictText(ann).startsWith(told), qPrintable(verdictText(ann)));
         QVERIFY(clustersOf(report).front().title.startsWith(told));
         for (const QByteArray &table :
              {csvOf(report), junitOf(report), gradescopeOf(report), pageOf(report, {})})
             QVERIFY2(table.contains(lost.toUtf8()), table.constData());
-        QVERIFY(!sentencesFor(ann, HintLevel::Full)
-                     .join(u' ')
-                     .contains(QStringLiteral("as far as a raster tells")));
+        QVERIFY(
+            !sentencesFor(ann, HintLevel::Full).join(u' ').contains(u"as far as a raster tells"_s));
     }
 
     void invariantsNeedAProgram()
@@ -189,20 +188,19 @@ private slots:
         const auto assignment
             = readAssignment(assignmentWith(R"("points": { "invariants": 3 }, )"));
         QVERIFY(!assignment);
-        QVERIFY(assignment.error().message().contains(QStringLiteral("no “program”")));
+        QVERIFY(assignment.error().message().contains(u"no “program”"_s));
     }
 
     void pointsByHandStayWithTheirReason()
     {
         const auto assignment = readAssignment(assignmentWith({}));
         const QTemporaryDir folder;
-        QVERIFY(deliver(folder, QStringLiteral("ann/one.txt"), "nothing"));
-        const GradingOrder order{folder.filePath(QStringLiteral("subs")),
-                                 folder.filePath(QStringLiteral("results")), QStringLiteral("1")};
+        QVERIFY(deliver(folder, u"ann/one.txt"_s, "nothing"));
+        const GradingOrder order{folder.filePath(u"subs"_s), folder.filePath(u"results"_s), u"1"_s};
         GradeReport report = **gradeFolder(order, *assignment);
         QCOMPARE(report.submissions[0].points(), 0.0);
         report.submissions[0].review.points = 2.5;
-        report.submissions[0].review.reason = QStringLiteral("the file was renamed");
+        report.submissions[0].review.reason = u"the file was renamed"_s;
         QVERIFY(!writeReviews(order.results, report));
 
         Assignment other = *assignment;
@@ -212,7 +210,7 @@ private slots:
         QCOMPARE(ann.points(), 2.5);
         QCOMPARE(ann.pointsOfChecks(), 0.0);
         QCOMPARE(sentencesFor(ann, HintLevel::Class).back(),
-                 QStringLiteral("2.5 points in place of 0: the file was renamed"));
+                 u"2.5 points in place of 0: the file was renamed"_s);
         QVERIFY(csvOf(again).contains(",2.5,"));
         QVERIFY(csvOf(again).contains("the file was renamed"));
     }

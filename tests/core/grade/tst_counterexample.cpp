@@ -26,10 +26,10 @@ private slots:
     void nothingShrinksAnyMore()
     {
         Scene conventions;
-        const Method &method = *methodNamed(QStringLiteral("column-scan"));
+        const Method &method = *methodNamed(u"column-scan"_s);
         const PictureSource right = sourceOf(Contender{&method, conventions.settings});
         const PictureSource wrong
-            = sourceOf(QStringLiteral("divisor-plus-one"), {&method, conventions.settings});
+            = sourceOf(u"divisor-plus-one"_s, {&method, conventions.settings});
         const CounterSearch search = findCounterExample(right, wrong, conventions, 3);
         QVERIFY(search.found.has_value());
         QVERIFY(tryScene(right, wrong, search.found->scene).example.has_value());
@@ -40,10 +40,10 @@ private slots:
     void whoWaitsHearsOfTheShrinking()
     {
         Scene conventions;
-        const Method &method = *methodNamed(QStringLiteral("column-scan"));
+        const Method &method = *methodNamed(u"column-scan"_s);
         const PictureSource right = sourceOf(Contender{&method, conventions.settings});
         const PictureSource wrong
-            = sourceOf(QStringLiteral("divisor-plus-one"), {&method, conventions.settings});
+            = sourceOf(u"divisor-plus-one"_s, {&method, conventions.settings});
         std::vector<JobProgress> heard;
         const auto whole = findCounterExample(right, wrong, conventions, 3,
                                               [&heard](const JobProgress &progress) {
@@ -65,21 +65,20 @@ private slots:
 
     void onATerminalTheShrinkingIsSeenAndErasedBeforeTheResult()
     {
-        if (QStandardPaths::findExecutable(QStringLiteral("script")).isEmpty())
+        if (QStandardPaths::findExecutable(u"script"_s).isEmpty())
             QSKIP("there is no script(1), which gives a terminal");
         const QTemporaryDir folder;
-        const QString slow = folder.filePath(QStringLiteral("slow"));
+        const QString slow = folder.filePath(u"slow"_s);
         QVERIFY(!writeFile(slow,
                            "#!/usr/bin/env python3\nimport json, sys, time\n"
                            "f = json.load(sys.stdin)['frame']\ntime.sleep(0.02)\n"
                            "print(('.' * f['width'] + chr(10)) * f['height'], end='')\n"));
         QVERIFY(QFile::setPermissions(slow, QFile::ReadOwner | QFile::ExeOwner));
         QProcess terminal;
-        terminal.start(
-            QStringLiteral("script"),
-            {QStringLiteral("-qec"),
-             QStringLiteral("'%1' counterexample column-scan 'program:%2'").arg(program(), slow),
-             QStringLiteral("/dev/null")});
+        terminal.start(u"script"_s,
+                       {u"-qec"_s,
+                        u"'%1' counterexample column-scan 'program:%2'"_s.arg(program(), slow),
+                        u"/dev/null"_s});
         QVERIFY(terminal.waitForFinished(120'000));
 
         const QByteArray shown = terminal.readAllStandardOutput();

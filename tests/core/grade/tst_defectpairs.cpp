@@ -22,7 +22,7 @@ QStringList idsOf(const Diagnosis &diagnosis)
 {
     QStringList ids;
     for (const DiagnosisCandidate &candidate : diagnosis.candidates)
-        ids += candidate.ids().join(QStringLiteral(" and "));
+        ids += candidate.ids().join(u" and "_s);
     return ids;
 }
 
@@ -77,8 +77,7 @@ private slots:
                            : "colours-without-edge-pre-step and first-half-and-middle-missing"});
         }
         const auto walkOf = [](const Program &program) {
-            return program.lines == WalkLines::Rows ? QStringLiteral("rows")
-                                                    : QStringLiteral("columns");
+            return program.lines == WalkLines::Rows ? u"rows"_s : u"columns"_s;
         };
         for (const Program &program : casesToRun(programs, walkOf))
             QTest::addRow("%s, %s", program.ids, qPrintable(walkOf(program)))
@@ -112,7 +111,7 @@ private slots:
     void theOrderOfEqualVerticesIsNoThirdMistake()
     {
         std::vector<Submission> submissions;
-        std::vector<Scene> scenes = probeSheet(QStringLiteral("column-scan"));
+        std::vector<Scene> scenes = probeSheet(u"column-scan"_s);
         // One triangle's last two vertices share a column, the upper one given first.
         scenes.push_back(scenes.front());
         scenes.back().triangles = {triangleAt(3, 9, 30, 25, 30, 4)};
@@ -124,9 +123,9 @@ private slots:
         const auto diagnosis = diagnose(submissions);
         QVERIFY2(diagnosis->isExplained(), qPrintable(idsOf(*diagnosis).join(u'\n')));
         const DiagnosisCandidate &named = diagnosis->candidates.front();
-        QVERIFY(named.ids().contains(QStringLiteral("divisor-plus-one")));
-        QVERIFY(named.ids().contains(QStringLiteral("colour-divisor-plus-one")));
-        QCOMPARE(named.rightAlone(), QStringList{QStringLiteral("equal-as-given")});
+        QVERIFY(named.ids().contains(u"divisor-plus-one"_s));
+        QVERIFY(named.ids().contains(u"colour-divisor-plus-one"_s));
+        QCOMPARE(named.rightAlone(), QStringList{u"equal-as-given"_s});
     }
 
     void twoThatDecideTheSameAreNotTogether_data()
@@ -214,7 +213,7 @@ private slots:
             if (diagnosis->verdict != DiagnosisVerdict::Wrong)
                 continue;
             ++wrong;
-            const QString both = pair[0].id + QStringLiteral(" and ") + pair[1].id;
+            const QString both = pair[0].id + u" and "_s + pair[1].id;
             QVERIFY2(diagnosis->isExplained(), qPrintable(both));
             // If one of them alone, or another single one, draws the same, that is enough.
             const QStringList ids = idsOf(*diagnosis);
@@ -223,7 +222,7 @@ private slots:
                 || std::ranges::any_of(diagnosis->candidates, [](const auto &candidate) {
                        return candidate.defects.size() == 1 && candidate.distance == 0;
                    });
-            QVERIFY2(isNamed, qPrintable(both + QStringLiteral(": ") + ids.join(u' ')));
+            QVERIFY2(isNamed, qPrintable(both + u": "_s + ids.join(u' ')));
         }
         QVERIFY(wrong > 0);
     }
@@ -231,7 +230,7 @@ private slots:
     void aSecondDefectThatHardlyBringsItNearerIsNotNamed()
     {
         const Scene scene = probeScenes().front();
-        const Defect first = defectNamed(scene, QStringLiteral("unsorted-colours"));
+        const Defect first = defectNamed(scene, u"unsorted-colours"_s);
         const Picture alone = pictureWith(scene, std::span(&first, 1));
         Submission submission{scene, {}};
         const std::vector<Defect> all = defectsFor(scene);
@@ -252,7 +251,7 @@ private slots:
         const QStringList ids = idsOf(diagnosis);
         QVERIFY2(ids.contains(first.id), qPrintable(ids.join(u'\n')));
         for (const QString &each : ids)
-            QVERIFY2(!each.contains(first.id + QStringLiteral(" and ")), qPrintable(each));
+            QVERIFY2(!each.contains(first.id + u" and "_s), qPrintable(each));
     }
 };
 

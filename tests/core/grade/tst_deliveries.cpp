@@ -34,18 +34,17 @@ private slots:
         QTest::addColumn<QString>("file");
         QTest::addColumn<QByteArray>("content");
         QTest::addColumn<PictureLack>("lack");
-        const QString picture = QStringLiteral("one.png");
-        QTest::newRow("no file") << QStringLiteral("notes.md") << QByteArray("-")
-                                 << PictureLack::NotThere;
+        const QString picture = u"one.png"_s;
+        QTest::newRow("no file") << u"notes.md"_s << QByteArray("-") << PictureLack::NotThere;
         QTest::newRow("no bytes") << picture << QByteArray() << PictureLack::Empty;
         QTest::newRow("words") << picture << QByteArray("to do") << PictureLack::Unreadable;
         QTest::newRow("another size")
             << picture << QByteArray("P3 1 1 255 9 9 9\n") << PictureLack::OtherSize;
         QTest::newRow("a raster of another size")
-            << QStringLiteral("one.txt") << QByteArray("##\n..\n") << PictureLack::OtherSize;
+            << u"one.txt"_s << QByteArray("##\n..\n") << PictureLack::OtherSize;
         QTest::newRow("lines without pixels")
-            << QStringLiteral("one.txt") << QByteArray("column 0 0 5\n") << PictureLack::TraceAlone;
-        const QString program = QStringLiteral("main.py");
+            << u"one.txt"_s << QByteArray("column 0 0 5\n") << PictureLack::TraceAlone;
+        const QString program = u"main.py"_s;
         QTest::newRow("a program that fails")
             << program << QByteArray("raise SystemExit(3)\n") << PictureLack::NotDrawn;
         QTest::newRow("a program that prints nothing")
@@ -57,12 +56,12 @@ private slots:
     {
         QFETCH(QString, file);
         QFETCH(QByteArray, content);
-        const QByteArray program = file.endsWith(QStringLiteral(".py")) ? R"("program": {}, )" : "";
+        const QByteArray program = file.endsWith(u".py"_s) ? R"("program": {}, )" : "";
         const auto assignment = readAssignment(assignmentWith(program));
         QVERIFY(assignment.isOk());
         const QTemporaryDir folder;
-        QVERIFY(QDir(folder.path()).mkpath(QStringLiteral("ann")));
-        QVERIFY(!writeFile(folder.filePath(QStringLiteral("ann/") + file), content));
+        QVERIFY(QDir(folder.path()).mkpath(u"ann"_s));
+        QVERIFY(!writeFile(folder.filePath(u"ann/"_s + file), content));
         const SubmissionEntry entry(QFile::encodeName(folder.path()), "ann");
 
         const Delivery delivery = deliveriesOf(entry, *assignment).front();
@@ -78,13 +77,12 @@ private slots:
         QVERIFY(assignment.isOk());
         const FrameSpec &frame = assignment->scenes.front().scene.frame;
         const QTemporaryDir folder;
-        QVERIFY(QDir(folder.path()).mkpath(QStringLiteral("ann")));
+        QVERIFY(QDir(folder.path()).mkpath(u"ann"_s));
         const QString program
-            = QStringLiteral("print('P3 %1 %2 255 ' + '9 ' * %3)\nraise SystemExit(3)\n")
-                  .arg(frame.width)
+            = u"print('P3 %1 %2 255 ' + '9 ' * %3)\nraise SystemExit(3)\n"_s.arg(frame.width)
                   .arg(frame.height)
                   .arg(3 * frame.width * frame.height);
-        QVERIFY(!writeFile(folder.filePath(QStringLiteral("ann/main.py")), program.toUtf8()));
+        QVERIFY(!writeFile(folder.filePath(u"ann/main.py"_s), program.toUtf8()));
         const SubmissionEntry entry(QFile::encodeName(folder.path()), "ann");
 
         const Delivery delivery = deliveriesOf(entry, *assignment).front();
@@ -92,17 +90,17 @@ private slots:
         QCOMPARE(delivery.fault, QString());
         QVERIFY(delivery.picture.has_value());
         QCOMPARE(*delivery.note,
-                 QStringLiteral("it ended with exit code 3; the picture that it wrote is judged "
-                                "all the same"));
+                 u"it ended with exit code 3; the picture that it wrote is judged "
+                 "all the same"_s);
     }
 
     void aPictureOfAnotherNameIsSaidToBeTaken()
     {
         const auto assignment = readAssignment(assignmentWith({}));
         const QTemporaryDir folder;
-        QVERIFY(QDir(folder.path()).mkpath(QStringLiteral("ann")));
+        QVERIFY(QDir(folder.path()).mkpath(u"ann"_s));
         const QByteArray raster = "#.......\n##......\n####....\n#####...\n######..\n########\n";
-        QVERIFY(!writeFile(folder.filePath(QStringLiteral("ann/final.txt")), raster));
+        QVERIFY(!writeFile(folder.filePath(u"ann/final.txt"_s), raster));
         const SubmissionEntry entry(QFile::encodeName(folder.path()), "ann");
 
         const Delivery delivery = deliveriesOf(entry, *assignment).front();
@@ -117,21 +115,19 @@ private slots:
         const auto assignment = readAssignment(assignmentWith(R"("program": {}, )"));
         QVERIFY(assignment.isOk());
         const QTemporaryDir folder;
-        QVERIFY(QDir(folder.path()).mkpath(QStringLiteral("ann")));
+        QVERIFY(QDir(folder.path()).mkpath(u"ann"_s));
         const auto faultWith = [&](const QStringList &files) {
             for (const QString &name : files) {
-                QFile file(folder.filePath(QStringLiteral("ann/") + name));
+                QFile file(folder.filePath(u"ann/"_s + name));
                 if (!file.open(QIODevice::WriteOnly))
                     return QString();
             }
             const SubmissionEntry entry(QFile::encodeName(folder.path()), "ann");
             return deliveriesOf(entry, *assignment).front().fault;
         };
-        const QString expected
-            = QStringLiteral("; expected one executable file, or one that ends in .py");
-        QCOMPARE(faultWith({QStringLiteral("notes.md")}), "there is no program" + expected);
-        QCOMPARE(faultWith({QStringLiteral("a.py"), QStringLiteral("b.py")}),
-                 "there are 2 programs: a.py, b.py" + expected);
+        const QString expected = u"; expected one executable file, or one that ends in .py"_s;
+        QCOMPARE(faultWith({u"notes.md"_s}), "there is no program" + expected);
+        QCOMPARE(faultWith({u"a.py"_s, u"b.py"_s}), "there are 2 programs: a.py, b.py" + expected);
     }
 };
 

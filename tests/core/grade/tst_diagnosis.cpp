@@ -90,8 +90,7 @@ private slots:
             const bool isAllowedFor = defect.choice == QLatin1String(arithmeticChoice)
                 && diagnosis.verdict == DiagnosisVerdict::Undecidable;
             if (isAllowedFor) {
-                QVERIFY2(!isAmong(diagnosis, defect.id)
-                             || !defect.id.contains(QStringLiteral("float")),
+                QVERIFY2(!isAmong(diagnosis, defect.id) || !defect.id.contains(u"float"_s),
                          qPrintable(defect.id));
                 continue;
             }
@@ -112,9 +111,8 @@ private slots:
     void twoDefectsTogetherAreFound()
     {
         const std::vector<Scene> scenes = probeScenes();
-        const std::vector<Defect> pair
-            = {defectNamed(scenes.front(), QStringLiteral("no-colour-pre-step")),
-               defectNamed(scenes.front(), QStringLiteral("half-pixel-down"))};
+        const std::vector<Defect> pair = {defectNamed(scenes.front(), u"no-colour-pre-step"_s),
+                                          defectNamed(scenes.front(), u"half-pixel-down"_s)};
         const Diagnosis diagnosis = *diagnose(submissionsOf(scenes, pair));
         QVERIFY(diagnosis.isExplained());
         const bool isFound
@@ -132,7 +130,7 @@ private slots:
     void whatNoDefectExplainsHasItsNearestOnes()
     {
         const std::vector<Scene> scenes = probeScenes();
-        const Defect defect = defectNamed(scenes.front(), QStringLiteral("unsorted-colours"));
+        const Defect defect = defectNamed(scenes.front(), u"unsorted-colours"_s);
         std::vector<Submission> submissions = submissionsOf(scenes, {defect});
         submissions.front().picture.colours[5] = {{1, 2, 3}}; // a colour that no program would
                                                               // write
@@ -180,9 +178,8 @@ private slots:
     {
         Scene whole = sceneWith({triangleAt(2, 2, 19, 4, 7, 13)});
         Scene between = sceneWith({coloured({LatticePoint{640, 704}, {4928, 1152}, {2112, 3456}})});
-        const std::vector<Defect> pair
-            = {defectNamed(between, QStringLiteral("vertices-truncated")),
-               defectNamed(between, QStringLiteral("upside-down"))};
+        const std::vector<Defect> pair = {defectNamed(between, u"vertices-truncated"_s),
+                                          defectNamed(between, u"upside-down"_s)};
         std::vector<Submission> submissions = submissionsOf({whole, between}, pair);
         for (int order = 0; order < 2; ++order) {
             const Diagnosis diagnosis = *diagnose(submissions);
@@ -197,14 +194,14 @@ private slots:
     {
         const std::vector<Scene> scenes = probeScenes();
         std::vector<Submission> submissions
-            = submissionsOf(scenes, {defectNamed(scenes.front(), QStringLiteral("upside-down"))});
+            = submissionsOf(scenes, {defectNamed(scenes.front(), u"upside-down"_s)});
         submissions.front().picture.colours[5] = {{1, 2, 3}};
         const Diagnosis diagnosis = *diagnose(submissions);
         QVERIFY(!diagnosis.isExplained());
         for (const DiagnosisCandidate &candidate : diagnosis.candidates) {
             const bool hasPart = candidate.defects.size() == 2
                 && std::ranges::any_of(candidate.defects, [](const Defect &defect) {
-                                     return defect.id == QStringLiteral("upside-down");
+                                     return defect.id == u"upside-down"_s;
                                  });
             QVERIFY(!hasPart); // one pixel remains with it, and with it and another
         }
@@ -219,13 +216,12 @@ private slots:
         };
         const auto colour = stepWith("no-colour-pre-step");
         QVERIFY(colour.has_value());
-        QVERIFY2(colour->heading.startsWith(QStringLiteral("Column")), qPrintable(colour->heading));
-        QVERIFY2(colour->text.startsWith(QStringLiteral("first R is ")), qPrintable(colour->text));
+        QVERIFY2(colour->heading.startsWith(u"Column"_s), qPrintable(colour->heading));
+        QVERIFY2(colour->text.startsWith(u"first R is "_s), qPrintable(colour->text));
         const auto place = stepWith("vertices-truncated");
         QVERIFY(place.has_value());
         QCOMPARE(place->step, std::size_t(0));
-        QVERIFY2(place->text.startsWith(QStringLiteral("x₀ is 13, should be 13")),
-                 qPrintable(place->text));
+        QVERIFY2(place->text.startsWith(u"x₀ is 13, should be 13"_s), qPrintable(place->text));
         QVERIFY(!partingStepOf(scene, scene).has_value());
     }
 
@@ -280,7 +276,7 @@ private slots:
     void aDiagnosisCanBeEnded()
     {
         const std::vector<Scene> scenes = probeScenes();
-        const Defect defect = defectNamed(scenes.front(), QStringLiteral("flat-first"));
+        const Defect defect = defectNamed(scenes.front(), u"flat-first"_s);
         int heard = 0;
         QVERIFY(!diagnose(submissionsOf(scenes, {defect}),
                           [&heard](const JobProgress &) { return ++heard < 7; }));

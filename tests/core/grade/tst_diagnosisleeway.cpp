@@ -123,7 +123,7 @@ private slots:
         dropTie(defective, submission.picture);
         const auto diagnosis = diagnose(std::vector{submission});
         // For vertices between pixels, truncating gives the same.
-        QVERIFY(idsOf(*diagnosis).contains(QStringLiteral("half-pixel-down")));
+        QVERIFY(idsOf(*diagnosis).contains(u"half-pixel-down"_s));
         QCOMPARE(diagnosis->candidates.front().distance, std::int64_t(0));
         QCOMPARE(diagnosis->candidates.front().undecidable, std::int64_t(1));
     }
@@ -136,7 +136,7 @@ private slots:
         QVERIFY(std::ranges::all_of(diagnosis->candidates, [](const DiagnosisCandidate &candidate) {
             return candidate.undecidable == 0;
         }));
-        QVERIFY(idsOf(*diagnosis).contains(QStringLiteral("last-sample-missing")));
+        QVERIFY(idsOf(*diagnosis).contains(u"last-sample-missing"_s));
     }
 
     void aStudentsProgramInDoubleIsNamed_data()
@@ -145,7 +145,7 @@ private slots:
         QTest::addColumn<QStringList>("mistakes");
         std::vector<MistakenProgram> programs = mistakenPrograms();
         std::erase_if(programs, [](const MistakenProgram &program) {
-            return program.method != QStringLiteral("column-scan");
+            return program.method != u"column-scan"_s;
         });
         for (const MistakenProgram &program : casesToRun(programs, &MistakenProgram::group))
             QTest::newRow(qPrintable(program.id)) << program.id << program.mistakes;
@@ -154,7 +154,7 @@ private slots:
     {
         QFETCH(QString, id);
         QFETCH(QStringList, mistakes);
-        static DefectPictures pictures(probeSheet(QStringLiteral("column-scan")));
+        static DefectPictures pictures(probeSheet(u"column-scan"_s));
         std::vector<FoundPicture> found;
         for (Picture &picture :
              studentPictures(pictures.scenes(), WalkLines::Columns, mistakes, WalkNumbers::Double))
@@ -164,9 +164,8 @@ private slots:
             return; // a right program may also leave out samples that lie on vertices only
         // A truncated quotient of colours jumps where it is whole: no bound holds for it.
         const QStringList cut
-            = {QStringLiteral("floor-colour-steps"), QStringLiteral("whole-colours"),
-               QStringLiteral("floor-colours"), QStringLiteral("whole-levels")};
-        const bool isCut = id.endsWith(QStringLiteral("-colour-rates")) || cut.contains(id);
+            = {u"floor-colour-steps"_s, u"whole-colours"_s, u"floor-colours"_s, u"whole-levels"_s};
+        const bool isCut = id.endsWith(u"-colour-rates"_s) || cut.contains(id);
         QVERIFY2(diagnosis->isExplained() || isCut, qPrintable(idsOf(*diagnosis).join(u' ')));
         QCOMPARE(idsOf(diagnosis->candidates.front()), id);
     }
@@ -192,7 +191,7 @@ private slots:
             QVERIFY2(diagnosis->isExplained(), qPrintable(pair.join(' ')));
             QVERIFY2(idsOf(*diagnosis).contains(QString::fromLatin1(pair.join(" and "))),
                      qPrintable(told));
-            QVERIFY2(!told.contains(QStringLiteral("arithmetic")), qPrintable(told));
+            QVERIFY2(!told.contains(u"arithmetic"_s), qPrintable(told));
         }
     }
 
@@ -212,7 +211,7 @@ private slots:
         const auto fixed
             = diagnose(submissionsIn(Arithmetic::Fixed16, scenes, {"unsorted-colours"}));
         QVERIFY(fixed->isExplained());
-        QVERIFY(fixed->candidates.front().ids().contains(QStringLiteral("unsorted-colours")));
+        QVERIFY(fixed->candidates.front().ids().contains(u"unsorted-colours"_s));
     }
 
     void theStepIsTheDefectsNotTheArithmetics()
@@ -226,7 +225,7 @@ private slots:
             QVERIFY(step.has_value());
             QCOMPARE(step->step, plain->step);
             QCOMPARE(step->heading, plain->heading);
-            QVERIFY2(!step->text.contains(QStringLiteral("off by")), qPrintable(step->text));
+            QVERIFY2(!step->text.contains(u"off by"_s), qPrintable(step->text));
         }
     }
 
@@ -238,14 +237,13 @@ private slots:
         std::ranges::fill(white.covered, std::uint8_t(1));
         const auto diagnosis = diagnose(std::vector{Submission{scene, white}});
         const QStringList told = idsOf(*diagnosis);
-        QVERIFY2(told.contains(QStringLiteral("nothing-drawn and drawn-on-white")),
-                 qPrintable(told.join(u',')));
-        QVERIFY(told.contains(QStringLiteral("drawn-in-white-alone and drawn-on-white")));
+        QVERIFY2(told.contains(u"nothing-drawn and drawn-on-white"_s), qPrintable(told.join(u',')));
+        QVERIFY(told.contains(u"drawn-in-white-alone and drawn-on-white"_s));
         for (const DiagnosisCandidate &candidate : diagnosis->candidates) {
             QStringList sentences = candidate.sentences(&Defect::forStudent);
             QCOMPARE(sentences.removeDuplicates(), 0);
             for (const QString &sentence : candidate.sentences(&Defect::forAssistant))
-                QVERIFY2(!sentence.contains(QStringLiteral("is right")), qPrintable(sentence));
+                QVERIFY2(!sentence.contains(u"is right"_s), qPrintable(sentence));
         }
     }
 
@@ -291,8 +289,7 @@ private slots:
         QVERIFY(PictureMatcher(pictures, dotted, Margin{}).isDrawnAllTheSame(set));
         const auto diagnosis = diagnose(std::vector{Submission{scene, found}});
         for (const DiagnosisCandidate &candidate : diagnosis->candidates)
-            QVERIFY2(!candidate.ids().contains(QStringLiteral("nothing-drawn")),
-                     qPrintable(idsOf(candidate)));
+            QVERIFY2(!candidate.ids().contains(u"nothing-drawn"_s), qPrintable(idsOf(candidate)));
     }
 
     void onePixelIsOne()

@@ -15,10 +15,7 @@ using namespace pixelplumb;
 
 namespace {
 
-QStringList methods()
-{
-    return {QStringLiteral("edge-equations"), QStringLiteral("barycentric-rectangle")};
-}
+QStringList methods() { return {u"edge-equations"_s, u"barycentric-rectangle"_s}; }
 
 void addMethods()
 {
@@ -32,7 +29,7 @@ Diagnosis diagnosed(const QString &method, const QStringList &mistakes, const ch
 {
     const std::vector<Scene> scenes = probeSheet(method);
     const std::vector<Picture> pictures
-        = drawnByStudent(QStringLiteral("edgetests"), {QString::fromLatin1(box)}, mistakes, scenes);
+        = drawnByStudent(u"edgetests"_s, {QString::fromLatin1(box)}, mistakes, scenes);
     std::vector<Submission> submissions;
     for (std::size_t i = 0; i < pictures.size(); ++i)
         submissions.push_back({scenes[i], pictures[i]});
@@ -59,8 +56,8 @@ private slots:
         QTest::addColumn<QString>("id");
         std::vector<std::pair<QString, QString>> all;
         for (const QString &method : methods()) {
-            for (const ProgramMistake &mistake : mistakesOf(QStringLiteral("edgetests"))) {
-                if (mistake.kind == QStringLiteral("test"))
+            for (const ProgramMistake &mistake : mistakesOf(u"edgetests"_s)) {
+                if (mistake.kind == u"test"_s)
                     all.emplace_back(method, mistake.ids.front());
             }
         }
@@ -87,11 +84,11 @@ private slots:
     {
         QFETCH(QString, method);
 
-        const Diagnosis diagnosis = diagnosed(method, {QStringLiteral("strict-by-weights")});
+        const Diagnosis diagnosis = diagnosed(method, {u"strict-by-weights"_s});
 
-        QCOMPARE(nameOf(diagnosis.verdict), QStringLiteral("wrong"));
+        QCOMPARE(nameOf(diagnosis.verdict), u"wrong"_s);
         const DiagnosisCandidate &named = diagnosis.candidates.front();
-        QCOMPARE(named.ids(), QStringList(QStringLiteral("rule-open")));
+        QCOMPARE(named.ids(), QStringList(u"rule-open"_s));
         QVERIFY(named.undecidable > 0);
         QVERIFY(2 * named.undecidable < diagnosis.differing);
     }
@@ -106,13 +103,13 @@ private slots:
     {
         QFETCH(QString, id);
 
-        const Diagnosis diagnosis = diagnosed(QStringLiteral("edge-equations"), {id}, "outward");
+        const Diagnosis diagnosis = diagnosed(u"edge-equations"_s, {id}, "outward");
 
         QVERIFY(diagnosis.isExplained());
         const DiagnosisCandidate &named = diagnosis.candidates.front();
-        QCOMPARE(named.rightAlone(), QStringList(QStringLiteral("box-outward")));
+        QCOMPARE(named.rightAlone(), QStringList(u"box-outward"_s));
         QStringList mistakes = named.ids();
-        mistakes.removeAll(QStringLiteral("box-outward"));
+        mistakes.removeAll(u"box-outward"_s);
         QCOMPARE(mistakes, QStringList(id));
         QCOMPARE(named.sentences(&Defect::forStudent).size(), 1);
     }
@@ -120,11 +117,10 @@ private slots:
     /// Some programs keep the lowest eight bits of a level that fits no byte.
     void missingClampingIsReportedNextToTheMistake()
     {
-        const std::vector<Scene> scenes = probeSheet(QStringLiteral("edge-equations"));
+        const std::vector<Scene> scenes = probeSheet(u"edge-equations"_s);
         std::vector<Defect> pair;
         for (const Defect &defect : defectsFor(scenes.front())) {
-            if (defect.id == QStringLiteral("weights-doubled")
-                || defect.id == QStringLiteral("levels-wrap"))
+            if (defect.id == u"weights-doubled"_s || defect.id == u"levels-wrap"_s)
                 pair.push_back(defect);
         }
         QCOMPARE(pair.size(), std::size_t(2));
@@ -135,8 +131,7 @@ private slots:
         const Diagnosis diagnosis = *diagnose(submissions);
 
         QVERIFY(diagnosis.isExplained());
-        QCOMPARE(diagnosis.candidates.front().rightAlone(),
-                 QStringList(QStringLiteral("levels-wrap")));
+        QCOMPARE(diagnosis.candidates.front().rightAlone(), QStringList(u"levels-wrap"_s));
         QCOMPARE(diagnosis.candidates.front().defects.size(), std::size_t(2));
     }
 };

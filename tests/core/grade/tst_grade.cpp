@@ -30,8 +30,7 @@ namespace {
 
 GradingOrder orderOf(const QTemporaryDir &folder, const char *results, int jobs = 2)
 {
-    return {folder.filePath(QStringLiteral("subs")), folder.filePath(QLatin1String(results)),
-            QStringLiteral("1"), jobs};
+    return {folder.filePath(u"subs"_s), folder.filePath(QLatin1String(results)), u"1"_s, jobs};
 }
 
 const GradedSubmission *submissionNamed(const GradeReport &report, const QString &name)
@@ -64,21 +63,18 @@ class TestGrade : public QObject {
     /// Delivers one right submission, some with a single defect, and some that are no picture.
     bool deliverClass(const QTemporaryDir &folder, const std::vector<Defect> &alone) const
     {
-        const auto submission = [&folder](const QString &name) {
-            return folder.filePath(QStringLiteral("subs/") + name);
-        };
-        bool isDelivered = deliver(submission(QStringLiteral("right")), m_assignment)
-            && QDir().mkpath(submission(QStringLiteral("empty")))
-            && QDir().mkpath(submission(QStringLiteral("small")));
+        const auto submission
+            = [&folder](const QString &name) { return folder.filePath(u"subs/"_s + name); };
+        bool isDelivered = deliver(submission(u"right"_s), m_assignment)
+            && QDir().mkpath(submission(u"empty"_s)) && QDir().mkpath(submission(u"small"_s));
         for (const Defect &defect : alone)
             isDelivered
                 = isDelivered && deliver(submission(folderOf(defect)), m_assignment, {defect});
-        const QString first = m_assignment.scenes.front().name + QStringLiteral(".png");
-        const QByteArray half = contentOf(submission(QStringLiteral("right/") + first)).left(60);
-        return isDelivered && writeTo(submission(QStringLiteral("nonsense/") + first), "nonsense")
-            && writeTo(submission(QStringLiteral("half/") + first), half)
-            && QImage(3, 2, QImage::Format_RGB32)
-                   .save(submission(QStringLiteral("small/") + first));
+        const QString first = m_assignment.scenes.front().name + u".png"_s;
+        const QByteArray half = contentOf(submission(u"right/"_s + first)).left(60);
+        return isDelivered && writeTo(submission(u"nonsense/"_s + first), "nonsense")
+            && writeTo(submission(u"half/"_s + first), half)
+            && QImage(3, 2, QImage::Format_RGB32).save(submission(u"small/"_s + first));
     }
     GradeReport graded(const GradingOrder &order)
     {
@@ -96,7 +92,7 @@ class TestGrade : public QObject {
         assignment.margin.leeway = leeway;
         assignment.scenes.resize(1);
         AssignedScene &square = assignment.scenes[0];
-        square.name = QStringLiteral("square");
+        square.name = u"square"_s;
         square.points = {0, 0, 1};
         square.scene = Scene();
         square.scene.frame.width = square.scene.frame.height = 16;
@@ -120,7 +116,7 @@ private slots:
         m_alone = casesToRun(m_alone, groupOf);
         QVERIFY(deliverClass(m_folder, m_alone));
         QVERIFY(deliverClass(m_few, {defects[0], defects[defects.size() / 2]}));
-        QVERIFY(deliver(m_few.filePath(QStringLiteral("subs/two")), m_assignment,
+        QVERIFY(deliver(m_few.filePath(u"subs/two"_s), m_assignment,
                         {defects.front(), defects.back()}));
     }
 
@@ -140,7 +136,7 @@ private slots:
             QVERIFY2(isAmong(*each, {defect.id}), qPrintable(defect.id));
         }
         QVERIFY(2 * std::size_t(named) > m_alone.size());
-        const auto *right = submissionNamed(report, QStringLiteral("right"));
+        const auto *right = submissionNamed(report, u"right"_s);
         QVERIFY(right);
         QCOMPARE(right->verdict, GradeVerdict::Right);
         QCOMPARE(right->points(), m_assignment.points());
@@ -176,9 +172,9 @@ private slots:
     {
         graded(orderOf(m_few, "first"));
         graded(orderOf(m_few, "again", 1));
-        const auto files = filesIn(m_few.filePath(QStringLiteral("first")));
+        const auto files = filesIn(m_few.filePath(u"first"_s));
         QVERIFY(files.size() > 8); // more than the submissions
-        QVERIFY(filesIn(m_few.filePath(QStringLiteral("again"))) == files);
+        QVERIFY(filesIn(m_few.filePath(u"again"_s)) == files);
     }
 
     void whatWasEndedGoesOnWhereItStopped()
@@ -188,9 +184,9 @@ private slots:
                                        [](const JobProgress &told) { return told.done < 5; });
         QVERIFY(ended.isOk());
         QVERIFY(!ended->has_value());
-        const QDir grades(m_few.filePath(QStringLiteral("ended/grades")));
+        const QDir grades(m_few.filePath(u"ended/grades"_s));
         QCOMPARE(grades.entryList(QDir::Files).size(), 5);
-        const auto sofar = readGrades(m_few.filePath(QStringLiteral("ended")));
+        const auto sofar = readGrades(m_few.filePath(u"ended"_s));
         QVERIFY(sofar.isOk());
         QCOMPARE(sofar->submissions.size(), 5U);
         QVERIFY(!sofar->missing.isEmpty());
@@ -209,50 +205,44 @@ private slots:
         graded(order);
 
         graded(orderOf(m_few, "first"));
-        QVERIFY(filesIn(m_few.filePath(QStringLiteral("ended")))
-                == filesIn(m_few.filePath(QStringLiteral("first"))));
+        QVERIFY(filesIn(m_few.filePath(u"ended"_s)) == filesIn(m_few.filePath(u"first"_s)));
     }
 
     void whoIsNotNamedHasNoGrade()
     {
         const QTemporaryDir folder;
         const Defect defect = defectsOf(m_assignment).back();
-        for (const QString &name : {QStringLiteral("ann"), QStringLiteral("böb\u202e"),
-                                    QStringLiteral("cem"), QStringLiteral("dea")})
-            QVERIFY(
-                deliver(folder.filePath(QStringLiteral("subs/") + name), m_assignment, {defect}));
+        for (const QString &name : {u"ann"_s, u"böb\u202e"_s, u"cem"_s, u"dea"_s})
+            QVERIFY(deliver(folder.filePath(u"subs/"_s + name), m_assignment, {defect}));
         const auto words = [&](const QStringList &names) {
-            return QStringList{QStringLiteral("grade"), folder.filePath(QStringLiteral("subs"))}
-            + names
-                + QStringList{QStringLiteral("--assignment"),
-                              resource(QStringLiteral("/assignments/column-scan.json")),
-                              QStringLiteral("-o"), folder.filePath(QStringLiteral("results"))};
+            return QStringList{u"grade"_s, folder.filePath(u"subs"_s)} + names
+                + QStringList{u"--assignment"_s, resource(u"/assignments/column-scan.json"_s),
+                              u"-o"_s, folder.filePath(u"results"_s)};
         };
 
-        const ProgramRun nobody = run(words({QStringLiteral("ann"), QStringLiteral("zoe")}));
+        const ProgramRun nobody = run(words({u"ann"_s, u"zoe"_s}));
         QCOMPARE(nobody.exitCode, 2);
         QVERIFY2(nobody.messages.contains("zoe: is no submission in "),
                  nobody.messages.constData());
-        QVERIFY(!QFile::exists(folder.filePath(QStringLiteral("results"))));
+        QVERIFY(!QFile::exists(folder.filePath(u"results"_s)));
 
         // A name is taken as it is, or as results show it.
-        const ProgramRun named
-            = run(words({QStringLiteral("cem"), QStringLiteral("böb\\xe2\\x80\\xae")}));
+        const ProgramRun named = run(words({u"cem"_s, u"böb\\xe2\\x80\\xae"_s}));
         QCOMPARE(named.exitCode, 0);
         QVERIFY2(named.output.startsWith("2 submissions\npartial: 2 more without a grade\n"),
                  named.output.constData());
         for (const char *file : {"results.json", "index.html", "junit.xml", "grades.csv"}) {
-            const QString path = folder.filePath(QStringLiteral("results/") + QLatin1String(file));
+            const QString path = folder.filePath(u"results/"_s + QLatin1String(file));
             QVERIFY2(contentOf(path).contains("ann") && contentOf(path).contains("dea"), file);
         }
-        const QByteArray junit = contentOf(folder.filePath(QStringLiteral("results/junit.xml")));
+        const QByteArray junit = contentOf(folder.filePath(u"results/junit.xml"_s));
         QVERIFY2(junit.contains("<testsuite name=\"ann\" tests=\"1\""), junit.constData());
         QVERIFY(junit.contains("<skipped message=\"no grade\"/>"));
-        const auto read = readGrades(folder.filePath(QStringLiteral("results")));
+        const auto read = readGrades(folder.filePath(u"results"_s));
         QVERIFY(read.isOk());
-        QCOMPARE(read->missing, QStringList({QStringLiteral("ann"), QStringLiteral("dea")}));
+        QCOMPARE(read->missing, QStringList({u"ann"_s, u"dea"_s}));
 
-        const ProgramRun rest = run(words({QStringLiteral("ann"), QStringLiteral("dea")}));
+        const ProgramRun rest = run(words({u"ann"_s, u"dea"_s}));
         QCOMPARE(rest.exitCode, 0);
         QVERIFY2(rest.output.startsWith("4 submissions\n    4  "), rest.output.constData());
     }
@@ -263,8 +253,8 @@ private slots:
         Assignment assignment = m_assignment;
         assignment.scenes.resize(1);
         assignment.scenes[0].points = {1, 10, 10};
-        const QString first = assignment.scenes[0].name + QStringLiteral(".png");
-        const QString own = folder.filePath(QStringLiteral("subs/ann/"));
+        const QString first = assignment.scenes[0].name + u".png"_s;
+        const QString own = folder.filePath(u"subs/ann/"_s);
         QVERIFY(deliver(own, assignment));
         QImage image(own + first);
         const QImage right = image;
@@ -313,7 +303,7 @@ private slots:
         QCOMPARE(inside.size(), 100);
         for (qsizetype right = 99; right >= 50; --right) {
             picture.setPixelColor(inside[right], Qt::white); // covered, but in another colour
-            const QString name = folder.filePath(QStringLiteral("subs/%1/square.png").arg(right));
+            const QString name = folder.filePath(u"subs/%1/square.png"_s.arg(right));
             QVERIFY(QDir().mkpath(QFileInfo(name).path()) && picture.save(name));
         }
         const auto report = gradeFolder(orderOf(folder, "results"), assignment);
@@ -346,7 +336,7 @@ private slots:
             }
         }
         QCOMPARE(left, 3);
-        const QString name = folder.filePath(QStringLiteral("subs/inner/square.png"));
+        const QString name = folder.filePath(u"subs/inner/square.png"_s);
         QVERIFY(QDir().mkpath(QFileInfo(name).path()) && picture.save(name));
         const auto report = gradeFolder(orderOf(folder, "results"), assignment);
         QVERIFY(report && *report);
@@ -359,42 +349,40 @@ private slots:
     void whatIsNotReadIsToldToTheStudent()
     {
         const QTemporaryDir folder;
-        const QString subs = folder.filePath(QStringLiteral("subs/"));
+        const QString subs = folder.filePath(u"subs/"_s);
         const QString scene = m_assignment.scenes.front().name;
-        QVERIFY(deliver(subs + QStringLiteral("twice"), m_assignment));
-        QVERIFY(QImage(subs + QStringLiteral("twice/%1.png").arg(scene))
-                    .save(subs + QStringLiteral("twice/%1.bmp").arg(scene)));
-        QVERIFY(QDir().mkpath(subs + QStringLiteral("linked")));
-        QVERIFY(QFile::link(subs + QStringLiteral("twice/%1.png").arg(scene),
-                            subs + QStringLiteral("linked/%1.png").arg(scene)));
-        QVERIFY(QDir().mkpath(subs + QStringLiteral("piped")));
-        QCOMPARE(
-            ::mkfifo(QFile::encodeName(subs + QStringLiteral("piped/%1.png").arg(scene)), 0600), 0);
-        QVERIFY(QFile::link(subs + QStringLiteral("twice"), subs + QStringLiteral("whole link")));
-        QVERIFY(QDir().mkpath(subs + QStringLiteral(".git")));
+        QVERIFY(deliver(subs + u"twice"_s, m_assignment));
+        QVERIFY(
+            QImage(subs + u"twice/%1.png"_s.arg(scene)).save(subs + u"twice/%1.bmp"_s.arg(scene)));
+        QVERIFY(QDir().mkpath(subs + u"linked"_s));
+        QVERIFY(
+            QFile::link(subs + u"twice/%1.png"_s.arg(scene), subs + u"linked/%1.png"_s.arg(scene)));
+        QVERIFY(QDir().mkpath(subs + u"piped"_s));
+        QCOMPARE(::mkfifo(QFile::encodeName(subs + u"piped/%1.png"_s.arg(scene)), 0600), 0);
+        QVERIFY(QFile::link(subs + u"twice"_s, subs + u"whole link"_s));
+        QVERIFY(QDir().mkpath(subs + u".git"_s));
 
-        const ProgramRun told
-            = run({QStringLiteral("grade"), subs, QStringLiteral("--assignment"),
-                   resource(QStringLiteral("/assignments/column-scan.json")), QStringLiteral("-o"),
-                   folder.filePath(QStringLiteral("results"))});
+        const ProgramRun told = run({u"grade"_s, subs, u"--assignment"_s,
+                                     resource(u"/assignments/column-scan.json"_s), u"-o"_s,
+                                     folder.filePath(u"results"_s)});
         QCOMPARE(told.exitCode, 0);
         QVERIFY2(told.messages.contains("begin with a dot: 1 (.git)"), told.messages.constData());
-        const auto report = readGrades(folder.filePath(QStringLiteral("results")));
+        const auto report = readGrades(folder.filePath(u"results"_s));
         QVERIFY(report.isOk());
         const auto sentences = [&](const char *name) {
             const auto *submission = submissionNamed(*report, QLatin1String(name));
             return submission ? sentencesFor(*submission, HintLevel::Class).join(u'\n') : QString();
         };
-        QVERIFY2(sentences("twice").contains(
-                     QStringLiteral("%1.png was taken; %1.bmp is there, too").arg(scene)),
-                 qPrintable(sentences("twice")));
-        QVERIFY2(sentences("linked").contains(QStringLiteral("%1.png is a link").arg(scene)),
+        QVERIFY2(
+            sentences("twice").contains(u"%1.png was taken; %1.bmp is there, too"_s.arg(scene)),
+            qPrintable(sentences("twice")));
+        QVERIFY2(sentences("linked").contains(u"%1.png is a link"_s.arg(scene)),
                  qPrintable(sentences("linked")));
-        QVERIFY2(sentences("piped").contains(QStringLiteral("%1.png is a pipe").arg(scene)),
+        QVERIFY2(sentences("piped").contains(u"%1.png is a pipe"_s.arg(scene)),
                  qPrintable(sentences("piped")));
-        QVERIFY2(sentences("whole link").contains(QStringLiteral("whole link is a link")),
+        QVERIFY2(sentences("whole link").contains(u"whole link is a link"_s),
                  qPrintable(sentences("whole link")));
-        const QByteArray table = contentOf(folder.filePath(QStringLiteral("results/grades.csv")));
+        const QByteArray table = contentOf(folder.filePath(u"results/grades.csv"_s));
         QVERIFY2(table.contains("\npiped,0,") && table.contains(",nothing,,"), table.constData());
     }
 
@@ -404,12 +392,11 @@ private slots:
         Assignment assignment = m_assignment;
         for (AssignedScene &scene : assignment.scenes)
             scene.points = {0, 0, 0};
-        QVERIFY(writeTo(folder.filePath(QStringLiteral("none.json")), writeAssignment(assignment)));
-        QVERIFY(QDir().mkpath(folder.filePath(QStringLiteral("subs"))));
+        QVERIFY(writeTo(folder.filePath(u"none.json"_s), writeAssignment(assignment)));
+        QVERIFY(QDir().mkpath(folder.filePath(u"subs"_s)));
         const ProgramRun told
-            = run({QStringLiteral("grade"), folder.filePath(QStringLiteral("subs")),
-                   QStringLiteral("--assignment"), folder.filePath(QStringLiteral("none.json")),
-                   QStringLiteral("-o"), folder.filePath(QStringLiteral("results"))});
+            = run({u"grade"_s, folder.filePath(u"subs"_s), u"--assignment"_s,
+                   folder.filePath(u"none.json"_s), u"-o"_s, folder.filePath(u"results"_s)});
         QCOMPARE(told.exitCode, 0);
         QVERIFY2(told.messages.contains("all checks have 0 points"), told.messages.constData());
     }
@@ -417,14 +404,13 @@ private slots:
     void whatIsGoneOrOtherIsGradedAnew()
     {
         const QTemporaryDir folder;
-        const QString subs = folder.filePath(QStringLiteral("subs/"));
-        QVERIFY(deliver(subs + QStringLiteral("ann"), m_assignment));
-        QVERIFY(deliver(subs + QStringLiteral("bob"), m_assignment));
+        const QString subs = folder.filePath(u"subs/"_s);
+        QVERIFY(deliver(subs + u"ann"_s, m_assignment));
+        QVERIFY(deliver(subs + u"bob"_s, m_assignment));
         const GradingOrder order = orderOf(folder, "results");
         QCOMPARE(graded(order).submissions.size(), 2U);
-        QVERIFY(
-            deliver(subs + QStringLiteral("ann"), m_assignment, {defectsOf(m_assignment).back()}));
-        QVERIFY(QDir(subs + QStringLiteral("bob")).removeRecursively());
+        QVERIFY(deliver(subs + u"ann"_s, m_assignment, {defectsOf(m_assignment).back()}));
+        QVERIFY(QDir(subs + u"bob"_s).removeRecursively());
         const GradeReport report = graded(order);
         QCOMPARE(report.submissions.size(), 1U);
         QCOMPARE(report.submissions.front().verdict, GradeVerdict::Wrong);
@@ -433,7 +419,7 @@ private slots:
     void hostileNamesAndLinksHarmNothing()
     {
         const QTemporaryDir folder;
-        const QByteArray subs = QFile::encodeName(folder.filePath(QStringLiteral("subs")));
+        const QByteArray subs = QFile::encodeName(folder.filePath(u"subs"_s));
         const QByteArray first = m_assignment.scenes.front().name.toUtf8() + ".png";
         QVERIFY(QDir().mkpath(QString::fromUtf8(subs)));
         const std::vector<QByteArray> names
@@ -441,8 +427,8 @@ private slots:
                "=1+1", "<script>",    "%1%2",     "&amp;"};
         for (const QByteArray &name : names)
             QCOMPARE(::mkdir((subs + '/' + name).constData(), 0700), 0);
-        QVERIFY(deliver(folder.filePath(QStringLiteral("secret")), m_assignment));
-        const QByteArray secret = QFile::encodeName(folder.filePath(QStringLiteral("secret")));
+        QVERIFY(deliver(folder.filePath(u"secret"_s), m_assignment));
+        const QByteArray secret = QFile::encodeName(folder.filePath(u"secret"_s));
         QCOMPARE(
             ::symlink((secret + '/' + first).constData(), (subs + "/a\nb/" + first).constData()),
             0);
@@ -457,13 +443,10 @@ private slots:
         }
         const QStringList entries
             = QDir(folder.path()).entryList(QDir::AllEntries | QDir::NoDotAndDotDot);
-        QCOMPARE(entries,
-                 QStringList({QStringLiteral("results"), QStringLiteral("secret"),
-                              QStringLiteral("subs")}));
-        const QByteArray page = contentOf(folder.filePath(QStringLiteral("results/index.html")));
+        QCOMPARE(entries, QStringList({u"results"_s, u"secret"_s, u"subs"_s}));
+        const QByteArray page = contentOf(folder.filePath(u"results/index.html"_s));
         QVERIFY(page.contains("&lt;script&gt;") && !page.contains("<script"));
-        QVERIFY(
-            contentOf(folder.filePath(QStringLiteral("results/grades.csv"))).contains("\n'=1+1,"));
+        QVERIFY(contentOf(folder.filePath(u"results/grades.csv"_s)).contains("\n'=1+1,"));
         // Qt's strings cannot hold these names, so its own clean-up would leave the files.
         QCOMPARE(::unlink((subs + "/\xff\xfe/" + first).constData()), 0);
         QCOMPARE(::rmdir((subs + "/\xff\xfe").constData()), 0);
@@ -473,13 +456,11 @@ private slots:
     {
         const QTemporaryDir folder;
         Assignment assignment = m_assignment;
-        assignment.program
-            = AssignedProgram{QStringLiteral("draw"), ProgramInput::Json, 1, 1024, 1};
+        assignment.program = AssignedProgram{u"draw"_s, ProgramInput::Json, 1, 1024, 1};
         assignment.scenes.resize(1);
-        QVERIFY(deliver(folder.filePath(QStringLiteral("subs/right")), assignment));
+        QVERIFY(deliver(folder.filePath(u"subs/right"_s), assignment));
         const auto addProgram = [&](const char *name, const char *script) {
-            const QString path
-                = folder.filePath(QStringLiteral("subs/%1/draw").arg(QLatin1String(name)));
+            const QString path = folder.filePath(u"subs/%1/draw"_s.arg(QLatin1String(name)));
             QVERIFY(writeTo(path, QByteArray("#!/bin/sh\n") + script));
             QVERIFY(QFile::setPermissions(path,
                                           QFile::ReadOwner | QFile::WriteOwner | QFile::ExeOwner));
@@ -494,7 +475,7 @@ private slots:
         const GradeReport &report = **result;
         QCOMPARE(report.submissions.size(), 6U);
         for (const GradedSubmission &each : report.submissions) {
-            const bool isRight = each.name == QStringLiteral("right");
+            const bool isRight = each.name == u"right"_s;
             QCOMPARE(each.verdict, isRight ? GradeVerdict::Right : GradeVerdict::Nothing);
             QVERIFY(isRight || !each.scenes.front().fault.isEmpty());
         }
@@ -504,21 +485,18 @@ private slots:
     {
         const QTemporaryDir folder;
         const auto defects = defectsOf(m_assignment);
-        QVERIFY(
-            deliver(folder.filePath(QStringLiteral("subs/ann")), m_assignment, {defects.back()}));
-        QVERIFY(
-            deliver(folder.filePath(QStringLiteral("subs/bob")), m_assignment, {defects.back()}));
-        const QString subs = folder.filePath(QStringLiteral("subs"));
-        const QStringList words
-            = {QStringLiteral("grade"), subs, QStringLiteral("--assignment"),
-               resource(QStringLiteral("/assignments/column-scan.json")), QStringLiteral("-o")};
-        const ProgramRun told = run(words + QStringList{folder.filePath(QStringLiteral("r"))});
+        QVERIFY(deliver(folder.filePath(u"subs/ann"_s), m_assignment, {defects.back()}));
+        QVERIFY(deliver(folder.filePath(u"subs/bob"_s), m_assignment, {defects.back()}));
+        const QString subs = folder.filePath(u"subs"_s);
+        const QStringList words = {u"grade"_s, subs, u"--assignment"_s,
+                                   resource(u"/assignments/column-scan.json"_s), u"-o"_s};
+        const ProgramRun told = run(words + QStringList{folder.filePath(u"r"_s)});
         QCOMPARE(told.exitCode, 0);
         QVERIFY2(told.output.startsWith("2 submissions\n    2  " + defects.back().id.toUtf8()),
                  told.output.constData());
-        const ProgramRun within = run(words + QStringList{subs + QStringLiteral("/results")});
+        const ProgramRun within = run(words + QStringList{subs + u"/results"_s});
         QCOMPARE(within.exitCode, 2);
-        QVERIFY(!QFile::exists(subs + QStringLiteral("/results")));
+        QVERIFY(!QFile::exists(subs + u"/results"_s));
     }
 };
 

@@ -19,7 +19,7 @@ namespace {
 
 GradedCandidate candidate(const QStringList &ids, std::int64_t distance = 0)
 {
-    return {ids, {QStringLiteral("Look.")}, {QStringLiteral("Done.")}, distance};
+    return {ids, {u"Look."_s}, {u"Done."_s}, distance};
 }
 
 GradedSubmission wrong(const char *name, std::vector<GradedCandidate> candidates,
@@ -38,7 +38,7 @@ QStringList clusterLines(const GradeReport &report)
 {
     QStringList told;
     for (const GradeCluster &cluster : clustersOf(report))
-        told += QStringLiteral("%1: %2").arg(cluster.submissions.size()).arg(cluster.title);
+        told += u"%1: %2"_s.arg(cluster.submissions.size()).arg(cluster.title);
     return told;
 }
 
@@ -62,7 +62,7 @@ bool deliverIn(Arithmetic arithmetic, const QString &folder, const Assignment &a
         const Scene scene = computedIn(assignment.scenes[i].scene, arithmetic);
         isWritten = isWritten
             && imageOf(pictureWith(scene, std::span(&*defect, 1)))
-                   .save(QStringLiteral("%1/%2.png").arg(folder, assignment.scenes[i].name));
+                   .save(u"%1/%2.png"_s.arg(folder, assignment.scenes[i].name));
     }
     return isWritten;
 }
@@ -78,30 +78,25 @@ private slots:
     {
         const QTemporaryDir folder;
         const Assignment assignment = exampleAssignment();
-        const QStringList bug{QStringLiteral("no-edge-pre-step")};
+        const QStringList bug{u"no-edge-pre-step"_s};
         for (const auto &[name, arithmetic] :
              {std::pair("exact", Arithmetic::Exact), std::pair("double", Arithmetic::Float64),
               std::pair("float", Arithmetic::Float32)})
-            QVERIFY(deliverIn(arithmetic,
-                              folder.filePath(QStringLiteral("subs/") + QLatin1String(name)),
+            QVERIFY(deliverIn(arithmetic, folder.filePath(u"subs/"_s + QLatin1String(name)),
                               assignment, bug));
-        const QStringList two{QStringLiteral("flat-first"), QStringLiteral("upside-down")};
-        QVERIFY(deliverIn(Arithmetic::Float64, folder.filePath(QStringLiteral("subs/mixed")),
-                          assignment, two));
-        const auto report
-            = gradeFolder({folder.filePath(QStringLiteral("subs")),
-                           folder.filePath(QStringLiteral("results")), QStringLiteral("1"), 1},
-                          assignment);
+        const QStringList two{u"flat-first"_s, u"upside-down"_s};
+        QVERIFY(deliverIn(Arithmetic::Float64, folder.filePath(u"subs/mixed"_s), assignment, two));
+        const auto report = gradeFolder(
+            {folder.filePath(u"subs"_s), folder.filePath(u"results"_s), u"1"_s, 1}, assignment);
         QVERIFY(report.isOk() && report->has_value());
         const std::vector<GradeCluster> clusters = clustersOf(**report);
         QCOMPARE(clusters.size(), 2U);
         QCOMPARE(clusters[0].submissions.size(), 3U);
         QVERIFY2(clusters[0].title.startsWith(bug.front()), qPrintable(clusters[0].title));
-        QVERIFY2(!clusters[0].title.contains(QStringLiteral("arithmetic")),
-                 qPrintable(clusters[0].title));
+        QVERIFY2(!clusters[0].title.contains(u"arithmetic"_s), qPrintable(clusters[0].title));
         for (const GradedSubmission &each : (*report)->submissions) {
             const QString told = sentencesFor(each, HintLevel::Full).join(u'\n');
-            QVERIFY2(!told.contains(QStringLiteral("computed in")), qPrintable(told));
+            QVERIFY2(!told.contains(u"computed in"_s), qPrintable(told));
         }
 
         const auto mixed
@@ -110,48 +105,46 @@ private slots:
         QVERIFY(mixed->scenes[0].explanations->contains(two[0]));
         QVERIFY(mixed->scenes[1].explanations->contains(two[1]));
         const QString told = sentencesFor(*mixed, HintLevel::Full).join(u'\n');
-        QVERIFY2(told.contains(mixed->scenes[1].scene
-                               + QStringLiteral(" alone is explained by upside-down")),
+        QVERIFY2(told.contains(mixed->scenes[1].scene + u" alone is explained by upside-down"_s),
                  qPrintable(told));
-        const auto read = readGrades(folder.filePath(QStringLiteral("results")));
+        const auto read = readGrades(folder.filePath(u"results"_s));
         QVERIFY2(read.isOk(), read ? "" : qPrintable(read.error().message()));
         QVERIFY(read->submissions == (*report)->submissions);
     }
 
     void theSetsOfACauseExplainAllOfIt()
     {
-        const GradedCandidate first = candidate({QStringLiteral("a"), QStringLiteral("b")});
-        const GradedCandidate other = candidate({QStringLiteral("c")});
+        const GradedCandidate first = candidate({u"a"_s, u"b"_s});
+        const GradedCandidate other = candidate({u"c"_s});
         GradeReport report;
         report.submissions = {wrong("ann", {first, other}), wrong("bob", {first})};
-        QCOMPARE(clusterLines(report), QStringList{QStringLiteral("2: a and b")});
+        QCOMPARE(clusterLines(report), QStringList{u"2: a and b"_s});
     }
 
     void identicalUnexplainedPicturesShareACause()
     {
-        const std::vector<GradedCandidate> nearA{candidate({QStringLiteral("a")}, 20)};
-        const std::vector<GradedCandidate> farA{candidate({QStringLiteral("a")}, 90)};
+        const std::vector<GradedCandidate> nearA{candidate({u"a"_s}, 20)};
+        const std::vector<GradedCandidate> farA{candidate({u"a"_s}, 90)};
         GradeReport report;
         report.submissions
             = {wrong("ann", nearA),        wrong("bob", nearA),        wrong("cem", nearA),
                wrong("dea", {}, "copied"), wrong("eva", {}, "copied"), wrong("fay", farA)};
         QCOMPARE(clusterLines(report),
-                 QStringList({QStringLiteral("3: no known defect, near to a"),
-                              QStringLiteral("2: no known defect, the same pictures as dea"),
-                              QStringLiteral("1: no known defect")}));
+                 QStringList({u"3: no known defect, near to a"_s,
+                              u"2: no known defect, the same pictures as dea"_s,
+                              u"1: no known defect"_s}));
     }
 
     void whatExplainsLittleIsNotTold()
     {
         const auto told = [](std::int64_t distance) {
-            return sentencesFor(wrong("ann", {candidate({QStringLiteral("a")}, distance)}),
-                                HintLevel::Full)
+            return sentencesFor(wrong("ann", {candidate({u"a"_s}, distance)}), HintLevel::Full)
                 .join(u'\n');
         };
-        QVERIFY(told(1).contains(QStringLiteral("near to a, 1 pixel left")));
-        QVERIFY(told(50).contains(QStringLiteral("Done.")));
-        QVERIFY(!told(51).contains(QStringLiteral("near to")));
-        QVERIFY(!told(51).contains(QStringLiteral("Done.")));
+        QVERIFY(told(1).contains(u"near to a, 1 pixel left"_s));
+        QVERIFY(told(50).contains(u"Done."_s));
+        QVERIFY(!told(51).contains(u"near to"_s));
+        QVERIFY(!told(51).contains(u"Done."_s));
     }
 
     void aRasterIsRightAsFarAsItTells()
@@ -161,20 +154,19 @@ private slots:
         GradedScene scene;
         scene.checks = {{Check::Coverage, true, 2, 2}, {Check::Colours, false, 0, 2}};
         raster.scenes = {scene};
-        const QString told
-            = QStringLiteral("right as far as a raster tells: colours are not in it");
+        const QString told = u"right as far as a raster tells: colours are not in it"_s;
 
         QCOMPARE(verdictText(raster), "right in coverage");
         QCOMPARE(sentencesFor(raster, HintLevel::Hint), QStringList{told});
         GradeReport report;
         report.submissions = {raster};
-        QCOMPARE(clusterLines(report), QStringList{QStringLiteral("1: ") + told});
+        QCOMPARE(clusterLines(report), QStringList{u"1: "_s + told});
         QVERIFY(csvOf(report).contains("right in coverage"));
     }
 
     void undecidableSubmissionsHaveTheirOwnCauses()
     {
-        const std::vector<GradedCandidate> sets{candidate({QStringLiteral("a")})};
+        const std::vector<GradedCandidate> sets{candidate({u"a"_s})};
         GradedSubmission open = wrong("ann", {});
         GradedSubmission openSet = wrong("bob", sets);
         GradedSubmission raster = wrong("cem", {});
@@ -184,43 +176,41 @@ private slots:
         GradeReport report;
         report.submissions = {open, openSet, raster, wrong("dea", sets)};
         QCOMPARE(clusterLines(report),
-                 QStringList({QStringLiteral("1: a"),
-                              QStringLiteral("1: undecidable as far as a raster tells: colours are "
-                                             "not in it"),
-                              QStringLiteral("1: undecidable: full points"),
-                              QStringLiteral("1: undecidable: full points, as with a")}));
+                 QStringList({u"1: a"_s,
+                              u"1: undecidable as far as a raster tells: colours are "
+                              "not in it"_s,
+                              u"1: undecidable: full points"_s,
+                              u"1: undecidable: full points, as with a"_s}));
     }
 
     void whatIsNoMistakeAloneNamesNoCause()
     {
-        GradedCandidate one = candidate({QStringLiteral("a"), QStringLiteral("choice")});
-        one.rightAlone = QStringList{QStringLiteral("choice")};
-        GradedCandidate other = candidate({QStringLiteral("a"), QStringLiteral("another")});
-        other.rightAlone = QStringList{QStringLiteral("another")};
+        GradedCandidate one = candidate({u"a"_s, u"choice"_s});
+        one.rightAlone = QStringList{u"choice"_s};
+        GradedCandidate other = candidate({u"a"_s, u"another"_s});
+        other.rightAlone = QStringList{u"another"_s};
         GradeReport report;
         report.submissions = {wrong("ann", {one, other}), wrong("bob", {one})};
-        QCOMPARE(clusterLines(report), QStringList{QStringLiteral("2: a")});
+        QCOMPARE(clusterLines(report), QStringList{u"2: a"_s});
         const QString told = sentencesFor(report.submissions[1], HintLevel::Full).join(u'\n');
-        QVERIFY2(told.contains(QStringLiteral("explained by a and choice")), qPrintable(told));
+        QVERIFY2(told.contains(u"explained by a and choice"_s), qPrintable(told));
     }
 
     void aStudentIsToldOfMistakesAlone()
     {
         DiagnosisCandidate pair;
-        pair.defects = {{QStringLiteral("a"), QStringLiteral("Look."), QStringLiteral("Done.")},
-                        {QStringLiteral("b"), QStringLiteral("Why so?"), QStringLiteral("So.")}};
+        pair.defects = {{u"a"_s, u"Look."_s, u"Done."_s}, {u"b"_s, u"Why so?"_s, u"So."_s}};
         pair.defects[1].isRightAlone = true;
-        QCOMPARE(pair.sentences(&Defect::forStudent), QStringList{QStringLiteral("Look.")});
-        QCOMPARE(pair.sentences(&Defect::forAssistant),
-                 QStringList({QStringLiteral("Done."), QStringLiteral("So.")}));
-        QCOMPARE(pair.rightAlone(), QStringList{QStringLiteral("b")});
+        QCOMPARE(pair.sentences(&Defect::forStudent), QStringList{u"Look."_s});
+        QCOMPARE(pair.sentences(&Defect::forAssistant), QStringList({u"Done."_s, u"So."_s}));
+        QCOMPARE(pair.rightAlone(), QStringList{u"b"_s});
     }
 
     void whatHasNoPictureIsTogetherByTheReason()
     {
         const auto lacking = [](const std::optional<PictureLack> &lack, const char *end = nullptr) {
             GradedScene scene;
-            scene.fault = QStringLiteral("it crashed: Aborted (signal 6)");
+            scene.fault = u"it crashed: Aborted (signal 6)"_s;
             scene.lack = lack;
             if (end)
                 scene.run = GradedRun{QString::fromLatin1(end), {}, {}};
@@ -250,11 +240,11 @@ private slots:
 
     void whatMayBeEitherWayIsTold()
     {
-        GradedCandidate open = candidate({QStringLiteral("a")});
+        GradedCandidate open = candidate({u"a"_s});
         open.undecidable = 1;
         const QString told = sentencesFor(wrong("ann", {open}), HintLevel::Full).join(u'\n');
-        QVERIFY2(told.contains(QStringLiteral("explained by a, but for 1 pixel that rounding or a "
-                                              "sample on an edge may decide")),
+        QVERIFY2(told.contains(u"explained by a, but for 1 pixel that rounding or a "
+                               "sample on an edge may decide"_s),
                  qPrintable(told));
     }
 };

@@ -50,18 +50,14 @@ private slots:
         std::vector<std::size_t> all(200);
         std::iota(all.begin(), all.end(), 0U);
         const auto kindOf = [&](std::size_t place) {
-            return QStringLiteral("%1 %2")
-                .arg(int(spoiltAt(place)))
-                .arg(defectsAt(place, defects).size());
+            return u"%1 %2"_s.arg(int(spoiltAt(place))).arg(defectsAt(place, defects).size());
         };
         const std::vector<std::size_t> places = casesToRun(all, kindOf);
         std::size_t explicable = 0;
         for (const std::size_t place : places) {
-            const QString own
-                = folder.filePath(QStringLiteral("subs/%1").arg(place, 3, 10, QLatin1Char('0')));
+            const QString own = folder.filePath(u"subs/%1"_s.arg(place, 3, 10, QLatin1Char('0')));
             QVERIFY(deliver(own, assignment, defectsAt(place, defects)));
-            const QString first
-                = QStringLiteral("%1/%2.png").arg(own, assignment.scenes.front().name);
+            const QString first = u"%1/%2.png"_s.arg(own, assignment.scenes.front().name);
             switch (spoiltAt(place)) {
             case Spoilt::No:
                 ++explicable;
@@ -77,10 +73,8 @@ private slots:
             }
         }
 
-        const auto report
-            = gradeFolder({folder.filePath(QStringLiteral("subs")),
-                           folder.filePath(QStringLiteral("results")), QStringLiteral("1"), 2},
-                          assignment);
+        const auto report = gradeFolder(
+            {folder.filePath(u"subs"_s), folder.filePath(u"results"_s), u"1"_s, 2}, assignment);
         QVERIFY(report.isOk() && report->has_value());
         QCOMPARE((*report)->submissions.size(), places.size());
         std::size_t explained = 0;

@@ -38,11 +38,7 @@ GradedSubmission submission(const char *name, GradeVerdict verdict,
 
 GradedCandidate candidate(const char *id, std::int64_t distance = 0)
 {
-    return {{QString::fromLatin1(id)},
-            {QStringLiteral("Look.")},
-            {QStringLiteral("Done.")},
-            distance,
-            {}};
+    return {{QString::fromLatin1(id)}, {u"Look."_s}, {u"Done."_s}, distance, {}};
 }
 
 } // namespace
@@ -131,8 +127,7 @@ private slots:
 
     void theExampleCanBeRead()
     {
-        const auto assignment
-            = readAssignmentFile(resource(QStringLiteral("/assignments/column-scan.json")));
+        const auto assignment = readAssignmentFile(resource(u"/assignments/column-scan.json"_s));
         QVERIFY2(assignment.isOk(), assignment ? "" : qPrintable(assignment.error().message()));
         QCOMPARE(assignment->scenes.size(), 4U);
     }
@@ -141,17 +136,16 @@ private slots:
     {
         GradedSubmission graded
             = submission("a\nb", GradeVerdict::Wrong, {candidate("unsorted-colours")});
-        graded.digest = QStringLiteral("12ab");
+        graded.digest = u"12ab"_s;
         graded.differing = 5'000'000'000;
         graded.candidates[0].parts
-            = FirstDivergence{QStringLiteral("one"), 3, QStringLiteral("Column 2"),
-                              QStringLiteral("y_T is 1, should be 2")};
+            = FirstDivergence{u"one"_s, 3, u"Column 2"_s, u"y_T is 1, should be 2"_s};
         GradedScene scene;
-        scene.scene = QStringLiteral("one");
+        scene.scene = u"one"_s;
         scene.counts = {1, 2, 3, 4, 5};
         scene.firstDifference = FramePixel{7, 0};
-        scene.run = GradedRun{QStringLiteral("crashed"), QStringLiteral("by a signal"), {}};
-        scene.note = QStringLiteral("one.png was taken; one.ppm is there, too");
+        scene.run = GradedRun{u"crashed"_s, u"by a signal"_s, {}};
+        scene.note = u"one.png was taken; one.ppm is there, too"_s;
         scene.checks = {{Check::Coverage, true, 2.5, 2.5}};
         graded.scenes = {scene};
 
@@ -186,7 +180,7 @@ private slots:
 
     void whatCannotBeShownIsWrittenAsItsCode()
     {
-        const QString hidden = QStringLiteral("a\u202Eb\U000E0001c");
+        const QString hidden = u"a\u202Eb\U000E0001c"_s;
         GradeReport report;
         report.assignment = *readAssignment(assignmentWith({}));
         report.assignment.name = hidden;
@@ -207,13 +201,13 @@ private slots:
         GradeReport report;
         report.submissions
             = {submission("ann", GradeVerdict::Right), submission("bob", GradeVerdict::Wrong)};
-        report.submissions[1].review = {QStringLiteral("See me."), true};
+        report.submissions[1].review = {u"See me."_s, true};
         QVERIFY(!writeReviews(folder.path(), report));
         const QByteArray grade = writeGradedSubmission(
             report.submissions[1], writeAssignment(*readAssignment(assignmentWith({}))));
         QVERIFY(!grade.contains("See me."));
 
-        QVERIFY(QDir(folder.path()).mkdir(QStringLiteral("grades")));
+        QVERIFY(QDir(folder.path()).mkdir(u"grades"_s));
         QFile assignment(assignmentFileOf(folder.path()));
         QVERIFY(assignment.open(QIODevice::WriteOnly));
         assignment.write(assignmentWith({}));
@@ -239,27 +233,24 @@ private slots:
                               submission("f", GradeVerdict::Right)};
         QStringList told;
         for (const GradeCluster &cluster : clustersOf(report))
-            told += QStringLiteral("%1 %2").arg(cluster.title).arg(cluster.submissions.size());
-        QCOMPARE(told,
-                 QStringList({QStringLiteral("flat-first 2"), QStringLiteral("no known defect 1"),
-                              QStringLiteral("right 3")}));
+            told += u"%1 %2"_s.arg(cluster.title).arg(cluster.submissions.size());
+        QCOMPARE(told, QStringList({u"flat-first 2"_s, u"no known defect 1"_s, u"right 3"_s}));
     }
 
     void namesAreEscapedAndToldApart_data()
     {
         QTest::addColumn<QByteArray>("name");
         QTest::addColumn<QString>("shown");
-        QTest::newRow("plain") << QByteArray("ann") << QStringLiteral("ann");
-        QTest::newRow("letters") << QByteArray("Žofie Ωmega") << QStringLiteral("Žofie Ωmega");
-        QTest::newRow("line feed") << QByteArray("a\nb") << QStringLiteral("a\\x0ab");
-        QTest::newRow("escape sequence") << QByteArray("\x1b[31m") << QStringLiteral("\\x1b[31m");
+        QTest::newRow("plain") << QByteArray("ann") << u"ann"_s;
+        QTest::newRow("letters") << QByteArray("Žofie Ωmega") << u"Žofie Ωmega"_s;
+        QTest::newRow("line feed") << QByteArray("a\nb") << u"a\\x0ab"_s;
+        QTest::newRow("escape sequence") << QByteArray("\x1b[31m") << u"\\x1b[31m"_s;
         QTest::newRow("no UTF-8") << QByteArray("a\xff"
                                                 "b")
-                                  << QStringLiteral("a\\xffb");
-        QTest::newRow("cut UTF-8") << QByteArray("\xc5") << QStringLiteral("\\xc5");
-        QTest::newRow("backslash") << QByteArray("a\\x0ab") << QStringLiteral("a\\x5cx0ab");
-        QTest::newRow("right to left")
-            << QByteArray("\xe2\x80\xae") << QStringLiteral("\\xe2\\x80\\xae");
+                                  << u"a\\xffb"_s;
+        QTest::newRow("cut UTF-8") << QByteArray("\xc5") << u"\\xc5"_s;
+        QTest::newRow("backslash") << QByteArray("a\\x0ab") << u"a\\x5cx0ab"_s;
+        QTest::newRow("right to left") << QByteArray("\xe2\x80\xae") << u"\\xe2\\x80\\xae"_s;
     }
     void namesAreEscapedAndToldApart()
     {
@@ -267,7 +258,7 @@ private slots:
         QFETCH(QString, shown);
         QCOMPARE(escapedName(name), shown);
         QCOMPARE(nameShownAs(shown), name);
-        static const QRegularExpression plain(QStringLiteral("\\A[A-Za-z0-9_-]+\\z"));
+        static const QRegularExpression plain(u"\\A[A-Za-z0-9_-]+\\z"_s);
         QVERIFY(plain.match(idOf(name)).hasMatch());
         QVERIFY(idOf(name) != idOf(name + 'x'));
         QVERIFY(idOf(name) != idOf(shown.toUtf8()) || shown.toUtf8() == name);

@@ -56,7 +56,7 @@ private slots:
 
     void aRasterHasNoColoursThatCouldBeWrong()
     {
-        const PictureSource raster{QStringLiteral("raster"), [](const Scene &scene) {
+        const PictureSource raster{u"raster"_s, [](const Scene &scene) {
                                        Picture picture = pictureOf(scene);
                                        picture.hasColours = false;
                                        std::ranges::fill(picture.colours, Colour{{1, 2, 3}});
@@ -92,8 +92,7 @@ private slots:
                 const auto report = checkInvariants(sourceOf(drawer), conventions, seed, 60);
                 QVERIFY(report.checked > 0 && report.undrawn == 0);
                 for (const BrokenInvariant &each : report.broken)
-                    QFAIL(qPrintable(QStringLiteral("%1, seed %2: %3")
-                                         .arg(QString::fromLatin1(method))
+                    QFAIL(qPrintable(u"%1, seed %2: %3"_s.arg(QString::fromLatin1(method))
                                          .arg(seed)
                                          .arg(nameOf(each.invariant))));
             }

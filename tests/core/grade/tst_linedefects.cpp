@@ -15,7 +15,7 @@ namespace {
 
 Scene sheet()
 {
-    const auto reading = readSceneFile(resource(QStringLiteral("/probes/line-bresenham-1.json")));
+    const auto reading = readSceneFile(resource(u"/probes/line-bresenham-1.json"_s));
     return reading ? reading->scene : Scene();
 }
 
@@ -23,9 +23,9 @@ Scene sheet()
 Picture drawn(const Scene &scene, const char *start, const char *tie,
               const QStringList &mistakes = {})
 {
-    const std::vector<Picture> pictures = drawnByStudent(
-        QStringLiteral("bresenham"), {QString::fromLatin1(start), QString::fromLatin1(tie)},
-        mistakes, std::span(&scene, 1));
+    const std::vector<Picture> pictures
+        = drawnByStudent(u"bresenham"_s, {QString::fromLatin1(start), QString::fromLatin1(tie)},
+                         mistakes, std::span(&scene, 1));
     return pictures.empty() ? Picture() : pictures.front();
 }
 
@@ -49,13 +49,12 @@ private slots:
         const auto add = [](const QString &mistake, const char *start, const QString &id) {
             QTest::newRow(qPrintable(id)) << mistake << QString::fromLatin1(start) << id;
         };
-        for (const ProgramMistake &mistake : mistakesOf(QStringLiteral("bresenham"))) {
+        for (const ProgramMistake &mistake : mistakesOf(u"bresenham"_s)) {
             const QString id = mistake.ids.front();
-            if (mistake.kind != QStringLiteral("left"))
+            if (mistake.kind != u"left"_s)
                 add(id, "given", id);
-            if (mistake.kind != QStringLiteral("given"))
-                add(id, "left",
-                    mistake.kind == QStringLiteral("both") ? QStringLiteral("sorted-") + id : id);
+            if (mistake.kind != u"given"_s)
+                add(id, "left", mistake.kind == u"both"_s ? u"sorted-"_s + id : id);
         }
     }
     void theSheetNamesTheMistakeOfAProgram()
@@ -69,7 +68,7 @@ private slots:
 
         const Diagnosis diagnosis = *diagnose(submissions);
 
-        QCOMPARE(nameOf(diagnosis.verdict), QStringLiteral("wrong"));
+        QCOMPARE(nameOf(diagnosis.verdict), u"wrong"_s);
         QVERIFY(diagnosis.isExplained());
         QCOMPARE(diagnosis.candidates.front().defects.size(), std::size_t(1));
         QCOMPARE(diagnosis.candidates.front().defects.front().id, id);
@@ -100,15 +99,14 @@ private slots:
 
         const Diagnosis diagnosis = *diagnose(submissions);
 
-        QCOMPARE(nameOf(diagnosis.verdict), QStringLiteral("undecidable"));
+        QCOMPARE(nameOf(diagnosis.verdict), u"undecidable"_s);
         if (isSorted)
-            QCOMPARE(diagnosis.candidates.front().rightAlone(),
-                     QStringList(QStringLiteral("stay-at-zero")));
+            QCOMPARE(diagnosis.candidates.front().rightAlone(), QStringList(u"stay-at-zero"_s));
         // A diagnosis without leeway calls it wrong.
         const Diagnosis strict = *diagnose(submissions, {}, {Leeway::Strict});
-        QCOMPARE(nameOf(strict.verdict), QStringLiteral("wrong"));
+        QCOMPARE(nameOf(strict.verdict), u"wrong"_s);
         if (isSorted) {
-            QCOMPARE(strict.candidates.front().ids(), QStringList(QStringLiteral("stay-at-zero")));
+            QCOMPARE(strict.candidates.front().ids(), QStringList(u"stay-at-zero"_s));
             QCOMPARE(strict.candidates.front().sentences(&Defect::forStudent).size(), 1);
         }
     }
@@ -117,17 +115,15 @@ private slots:
     {
         const Scene scene = sheet();
         const std::vector<Submission> submissions
-            = {{scene, drawn(scene, "left", "stays", {QStringLiteral("least-pixel-missing")})}};
+            = {{scene, drawn(scene, "left", "stays", {u"least-pixel-missing"_s})}};
 
         const Diagnosis diagnosis = *diagnose(submissions);
 
-        QCOMPARE(nameOf(diagnosis.verdict), QStringLiteral("wrong"));
+        QCOMPARE(nameOf(diagnosis.verdict), u"wrong"_s);
         QVERIFY(diagnosis.isExplained());
         const DiagnosisCandidate &named = diagnosis.candidates.front();
-        QCOMPARE(
-            named.ids(),
-            QStringList({QStringLiteral("stay-at-zero"), QStringLiteral("least-pixel-missing")}));
-        QCOMPARE(named.rightAlone(), QStringList(QStringLiteral("stay-at-zero")));
+        QCOMPARE(named.ids(), QStringList({u"stay-at-zero"_s, u"least-pixel-missing"_s}));
+        QCOMPARE(named.rightAlone(), QStringList(u"stay-at-zero"_s));
         QCOMPARE(named.sentences(&Defect::forStudent).size(), 1);
     }
 };

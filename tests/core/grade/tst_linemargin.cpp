@@ -167,10 +167,9 @@ private slots:
 
         const Diagnosis diagnosis = *diagnose(submissions);
 
-        QCOMPARE(nameOf(diagnosis.verdict), QStringLiteral("undecidable"));
+        QCOMPARE(nameOf(diagnosis.verdict), u"undecidable"_s);
         QCOMPARE(diagnosis.candidates.size(), std::size_t(1));
-        QCOMPARE(diagnosis.candidates.front().rightAlone(),
-                 QStringList(QStringLiteral("rounds-halves-down")));
+        QCOMPARE(diagnosis.candidates.front().rightAlone(), QStringList(u"rounds-halves-down"_s));
     }
 
     /// Three lines by Bresenham from their first ends, and each column filled between them.

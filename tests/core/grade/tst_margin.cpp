@@ -175,9 +175,9 @@ private slots:
         QCOMPARE(told(once, Leeway::Once), QString());
         QCOMPARE(told(twice, Leeway::Edges), QString());
         QCOMPARE(told(twice, Leeway::Once),
-                 QStringLiteral("pixel (7, 7) lies on an edge that triangles share: drawn twice, "
-                                "should be drawn once"));
-        QVERIFY(told({}, Leeway::Once).contains(QStringLiteral("not drawn")));
+                 u"pixel (7, 7) lies on an edge that triangles share: drawn twice, "
+                 "should be drawn once"_s);
+        QVERIFY(told({}, Leeway::Once).contains(u"not drawn"_s));
     }
 
     void aThirdWeightIsNeverWrong()
@@ -221,8 +221,7 @@ private slots:
         Scene cut = scene;
         cut.settings.rounding = ByteRounding::Truncate;
         const auto smooth = diagnose(std::vector{Submission{scene, pictureOf(cut)}});
-        QCOMPARE(smooth->candidates.front().ids(),
-                 QStringList(QStringLiteral("rounding-truncate")));
+        QCOMPARE(smooth->candidates.front().ids(), QStringList(u"rounding-truncate"_s));
     }
 
     void anAssignmentSaysItByTheSameNames()
@@ -233,12 +232,12 @@ private slots:
             QCOMPARE(assignmentWith("'leeway': '" + word + "',")->margin.leeway, leeway);
         }
         const QString refusal = assignmentWith("'leeway': 'float32',").error().message();
-        QVERIFY2(refusal.contains(QStringLiteral("strict")), qPrintable(refusal));
+        QVERIFY2(refusal.contains(u"strict"_s), qPrintable(refusal));
         QVERIFY(!assignmentWith("'tolerance': 'exact',"));
         QVERIFY(assignmentWith("'winding': 'clockwise',"));
         const auto other = assignmentWith("'winding': 'counter-clockwise',");
         QVERIFY(!other);
-        QVERIFY2(other.error().message().contains(QStringLiteral("not counter-clockwise")),
+        QVERIFY2(other.error().message().contains(u"not counter-clockwise"_s),
                  qPrintable(other.error().message()));
     }
 

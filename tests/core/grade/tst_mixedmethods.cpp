@@ -53,15 +53,14 @@ QString kindOf(const Defect &defect)
 {
     QString kind = QString::number(int(defect.stage())) + u' ' + defect.choice;
     if (defect.standsAlone)
-        kind += QStringLiteral(" alone");
+        kind += u" alone"_s;
     if (defect.stage() == DefectStage::Drawing && !defect.redrawing)
-        kind += QStringLiteral(" lines");
+        kind += u" lines"_s;
     if (const Redrawing *redrawing = defect.redrawing.get()) {
-        kind += redrawing->walk ? QStringLiteral(" walk") : QString();
-        kind += redrawing->edgeTest ? QStringLiteral(" test") : QString();
-        kind += redrawing->bytes.isRight() ? QString() : QStringLiteral(" bytes");
-        kind += QStringLiteral(" %1%2%3")
-                    .arg(int(redrawing->overflow))
+        kind += redrawing->walk ? u" walk"_s : QString();
+        kind += redrawing->edgeTest ? u" test"_s : QString();
+        kind += redrawing->bytes.isRight() ? QString() : u" bytes"_s;
+        kind += u" %1%2%3"_s.arg(int(redrawing->overflow))
                     .arg(int(redrawing->repainting))
                     .arg(int(redrawing->box));
     }
@@ -96,7 +95,7 @@ QStringList setsOf(const Diagnosis &diagnosis)
 {
     QStringList sets;
     for (const DiagnosisCandidate &candidate : diagnosis.candidates)
-        sets += candidate.ids().join(QStringLiteral(" and "));
+        sets += candidate.ids().join(u" and "_s);
     return sets;
 }
 
@@ -106,11 +105,11 @@ QString waysOf(const std::vector<Defect> &defects)
     QStringList ways;
     for (const Defect &defect : defects) {
         if (defect.stage() == DefectStage::Drawing && !defect.redrawing)
-            ways += QStringLiteral("lines");
+            ways += u"lines"_s;
         if (defect.redrawing && defect.redrawing->walk)
-            ways += QStringLiteral("walk");
+            ways += u"walk"_s;
         if (defect.redrawing && defect.redrawing->edgeTest)
-            ways += QStringLiteral("test");
+            ways += u"test"_s;
     }
     ways.removeDuplicates();
     return ways.join(u' ');
@@ -196,7 +195,7 @@ private slots:
                 const auto diagnosis
                     = diagnose(submissions, {}, {Leeway::Edges, Arithmetic::Exact});
                 QVERIFY(diagnosis && !diagnosis->failure);
-                QCOMPARE(nameOf(diagnosis->verdict), QStringLiteral("wrong"));
+                QCOMPARE(nameOf(diagnosis->verdict), u"wrong"_s);
             }
         }
     }
@@ -205,10 +204,10 @@ private slots:
     {
         QTest::addColumn<int>("scene");
         QTest::addColumn<QString>("id");
-        QTest::newRow("a variant of a walk") << 0 << QStringLiteral("no-edge-pre-step");
-        QTest::newRow("a walk of ours") << 1 << QStringLiteral("whole-slopes");
-        QTest::newRow("an edge test of ours") << 2 << QStringLiteral("slack-of-half-a-pixel");
-        QTest::newRow("a line's end") << 3 << QStringLiteral("last-pixel-missing");
+        QTest::newRow("a variant of a walk") << 0 << u"no-edge-pre-step"_s;
+        QTest::newRow("a walk of ours") << 1 << u"whole-slopes"_s;
+        QTest::newRow("an edge test of ours") << 2 << u"slack-of-half-a-pixel"_s;
+        QTest::newRow("a line's end") << 3 << u"last-pixel-missing"_s;
     }
     void aDefectOfOneMethodIsNamedAmongOthers()
     {
@@ -229,8 +228,7 @@ private slots:
         const auto diagnosis = diagnose(submissions);
 
         QVERIFY(diagnosis && diagnosis->isExplained());
-        QVERIFY2(setsOf(*diagnosis).contains(id),
-                 qPrintable(setsOf(*diagnosis).join(QStringLiteral(", "))));
+        QVERIFY2(setsOf(*diagnosis).contains(id), qPrintable(setsOf(*diagnosis).join(u", "_s)));
     }
 };
 

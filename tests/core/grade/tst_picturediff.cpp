@@ -100,7 +100,7 @@ private slots:
             "scenes": [ { "name": "min", "scene": "min.json" } ] })";
         QVERIFY(!writeFile(path("min.json"), scene));
         QVERIFY(!writeFile(path("a.json"), assignment));
-        QVERIFY(QDir(folder.path()).mkpath(QStringLiteral("subs/one")));
+        QVERIFY(QDir(folder.path()).mkpath(u"subs/one"_s));
         QCOMPARE(run({"render", path("min.json"), "-o", path("subs/one/min.ppm")}).exitCode, 0);
 
         const ProgramRun told = run({"diff", path("min.json"), path("subs/one/min.ppm")});
@@ -108,11 +108,11 @@ private slots:
             = run({"grade", path("subs"), "--assignment", path("a.json"), "-o", path("out")});
 
         QCOMPARE(told.exitCode, 0);
-        QCOMPARE(QString::fromUtf8(told.output), QStringLiteral("6 × 6 pixels: 36 same\n"));
+        QCOMPARE(QString::fromUtf8(told.output), u"6 × 6 pixels: 36 same\n"_s);
         QVERIFY2(graded.exitCode == 0, graded.messages.constData());
         const auto results = QJsonDocument::fromJson(*readFile(path("out/results.json")));
-        QCOMPARE(results[QStringLiteral("submissions")][0][QStringLiteral("score")].toDouble(),
-                 results[QStringLiteral("max_score")].toDouble());
+        QCOMPARE(results[u"submissions"_s][0][u"score"_s].toDouble(),
+                 results[u"max_score"_s].toDouble());
     }
 
     void edgeOwnershipIsOpenButNotTheColour_data()

@@ -41,8 +41,7 @@ private slots:
                 QVERIFY(QFile::remove(path));
             for (std::size_t i = 0; i < found.size(); ++i)
                 QVERIFY(!writeFile(
-                    resource(
-                        QStringLiteral("/probes/%1-%2.json").arg(method, QString::number(i + 1))),
+                    resource(u"/probes/%1-%2.json"_s.arg(method, QString::number(i + 1))),
                     found[i]));
             return;
         }
@@ -96,9 +95,8 @@ private slots:
         QVERIFY(!result.alike.empty());
         QVERIFY(result.alike.front().equalRight);
         // A single triangle toggles nothing: traversing it again gives the same.
-        QVERIFY(std::ranges::any_of(result.alike.front().defects, [](const Defect &defect) {
-            return defect.id == QStringLiteral("parity");
-        }));
+        QVERIFY(std::ranges::any_of(result.alike.front().defects,
+                                    [](const Defect &defect) { return defect.id == u"parity"_s; }));
         QVERIFY(result.distinct() < result.defects + 1);
         QVERIFY(result.distinct() > 20);
     }
@@ -120,9 +118,9 @@ private:
 
     static QStringList sheetPaths(const QString &method)
     {
-        const QDir folder(resource(QStringLiteral("/probes")));
+        const QDir folder(resource(u"/probes"_s));
         QStringList paths;
-        for (const QString &name : folder.entryList({method + QStringLiteral("-*.json")}))
+        for (const QString &name : folder.entryList({method + u"-*.json"_s}))
             paths += folder.filePath(name);
         return paths;
     }

@@ -23,7 +23,7 @@ namespace {
 
 Scene defaultScene(const QString &method)
 {
-    const auto reading = readSceneFile(resource(QStringLiteral("/scenes/default.json")));
+    const auto reading = readSceneFile(resource(u"/scenes/default.json"_s));
     Scene scene = reading ? reading->scene : Scene();
     scene.method = method.toStdString();
     return scene;
@@ -32,7 +32,7 @@ Scene defaultScene(const QString &method)
 /// Triangles with two vertices above each other, given in either order.
 Scene verticalEdges()
 {
-    Scene scene = defaultScene(QStringLiteral("column-scan"));
+    Scene scene = defaultScene(u"column-scan"_s);
     const auto triangle = [](const LatticePoint &a, const LatticePoint &b, const LatticePoint &c) {
         return Triangle{{{{a, {{250, 40, 10}}}, {b, {{20, 200, 90}}}, {c, {{60, 30, 240}}}}}};
     };
@@ -44,9 +44,9 @@ Scene verticalEdges()
 /// The defect pictures of a method, kept for all programs of a class.
 DefectPictures &defectPicturesOf(const QString &method)
 {
-    static DefectPictures ofColumns(probeSheet(QStringLiteral("column-scan")));
-    static DefectPictures ofRows(probeSheet(QStringLiteral("row-walk")));
-    return method == QStringLiteral("row-walk") ? ofRows : ofColumns;
+    static DefectPictures ofColumns(probeSheet(u"column-scan"_s));
+    static DefectPictures ofRows(probeSheet(u"row-walk"_s));
+    return method == u"row-walk"_s ? ofRows : ofColumns;
 }
 
 QString textOf(const Diagnosis &diagnosis)
@@ -56,7 +56,7 @@ QString textOf(const Diagnosis &diagnosis)
         QStringList ids;
         for (const Defect &defect : candidate.defects)
             ids += defect.id;
-        sets += ids.join(u'+') + QStringLiteral(" (%1)").arg(candidate.distance);
+        sets += ids.join(u'+') + u" (%1)"_s.arg(candidate.distance);
     }
     return sets.join(u' ');
 }
@@ -131,23 +131,16 @@ private slots:
     {
         // With unsorted vertices, spans begin outside the frame, where a program adds up what the
         // walk reaches in one step.
-        const QStringList ids = {QStringLiteral("no-edge-pre-step"),
-                                 QStringLiteral("whole-slopes"),
-                                 QStringLiteral("whole-edge-steps"),
-                                 QStringLiteral("whole-colours"),
-                                 QStringLiteral("whole-colour-rates"),
-                                 QStringLiteral("whole-places"),
-                                 QStringLiteral("colour-divisor-samples"),
-                                 QStringLiteral("colour-divisor-plus-one"),
-                                 QStringLiteral("long-edge-begun-again"),
-                                 QStringLiteral("edge-pre-step-backward"),
-                                 QStringLiteral("second-edge-carried-on"),
-                                 QStringLiteral("edges-stepped-first"),
-                                 QStringLiteral("extra-first-sample"),
-                                 QStringLiteral("colours-without-edge-pre-step")};
+        const QStringList ids = {u"no-edge-pre-step"_s,       u"whole-slopes"_s,
+                                 u"whole-edge-steps"_s,       u"whole-colours"_s,
+                                 u"whole-colour-rates"_s,     u"whole-places"_s,
+                                 u"colour-divisor-samples"_s, u"colour-divisor-plus-one"_s,
+                                 u"long-edge-begun-again"_s,  u"edge-pre-step-backward"_s,
+                                 u"second-edge-carried-on"_s, u"edges-stepped-first"_s,
+                                 u"extra-first-sample"_s,     u"colours-without-edge-pre-step"_s};
         std::vector<MistakenProgram> programs = mistakenPrograms();
         std::erase_if(programs, [&](const MistakenProgram &program) {
-            return !ids.contains(QString(program.id).remove(QStringLiteral("-from-below")));
+            return !ids.contains(QString(program.id).remove(u"-from-below"_s));
         });
         addRows(programs);
     }
@@ -177,28 +170,28 @@ private slots:
 
     void eachEndOfTheRowsHasItsOwnWords()
     {
-        const std::vector<Defect> all = defectsFor(defaultScene(QStringLiteral("row-walk")));
+        const std::vector<Defect> all = defectsFor(defaultScene(u"row-walk"_s));
         const auto words = [&](const char *id) {
             const auto defect = std::ranges::find(all, QLatin1String(id), &Defect::id);
             return defect != all.end() ? defect->forAssistant : QString();
         };
-        QVERIFY(words("no-edge-pre-step").contains(QStringLiteral("(y₀ − ⌊y₀⌋)·m")));
-        QVERIFY(words("no-edge-pre-step").contains(QStringLiteral("from the greatest y down")));
-        QVERIFY(words("no-edge-pre-step-from-below").contains(QStringLiteral("(⌈y₀⌉ − y₀)·m")));
-        QVERIFY(words("no-edge-pre-step-from-below").contains(QStringLiteral("the least y up")));
-        QVERIFY(words("whole-slopes").contains(QStringLiteral("from the greatest y down")));
-        QVERIFY(!words("whole-colour-rates").contains(QStringLiteral("gone through")));
-        QVERIFY(words("edge-pre-step-of-fraction")
-                    .contains(QStringLiteral("by ⌈y₀⌉ − y₀ in place of y₀ − ⌊y₀⌋.")));
+        QVERIFY(words("no-edge-pre-step").contains(u"(y₀ − ⌊y₀⌋)·m"_s));
+        QVERIFY(words("no-edge-pre-step").contains(u"from the greatest y down"_s));
+        QVERIFY(words("no-edge-pre-step-from-below").contains(u"(⌈y₀⌉ − y₀)·m"_s));
+        QVERIFY(words("no-edge-pre-step-from-below").contains(u"the least y up"_s));
+        QVERIFY(words("whole-slopes").contains(u"from the greatest y down"_s));
+        QVERIFY(!words("whole-colour-rates").contains(u"gone through"_s));
+        QVERIFY(
+            words("edge-pre-step-of-fraction").contains(u"by ⌈y₀⌉ − y₀ in place of y₀ − ⌊y₀⌋."_s));
         QVERIFY(words("edge-pre-step-of-fraction-from-below")
-                    .contains(QStringLiteral("by y₀ − ⌊y₀⌋ in place of ⌈y₀⌉ − y₀.")));
+                    .contains(u"by y₀ − ⌊y₀⌋ in place of ⌈y₀⌉ − y₀."_s));
         QVERIFY(words("colour-pre-step-of-fraction")
-                    .contains(QStringLiteral("by x_L − ⌊x_L⌋ in place of ⌈x_L⌉ − x_L.")));
+                    .contains(u"by x_L − ⌊x_L⌋ in place of ⌈x_L⌉ − x_L."_s));
         // The missing half is the same from either end.
         for (const char *id : {"first-half-missing", "first-half-and-middle-missing"})
-            QVERIFY(words(id).contains(QStringLiteral("half with the lesser y is not drawn")));
+            QVERIFY(words(id).contains(u"half with the lesser y is not drawn"_s));
         for (const char *id : {"second-half-missing", "second-half-behind-middle-missing"})
-            QVERIFY(words(id).contains(QStringLiteral("half with the greater y is not drawn")));
+            QVERIFY(words(id).contains(u"half with the greater y is not drawn"_s));
     }
 
     void noSentenceHasAPlaceThatIsNotFilled()
@@ -232,8 +225,7 @@ private slots:
         for (const QString id : {"divisor-plus-one", "divisor-minus-one", "unsorted-colours"}) {
             for (const QString choice : {"equal-as-given", "equal-descending",
                                          "flat-end-from-vertices", "flat-end-from-edges"}) {
-                const bool isSeen
-                    = choice.startsWith(u'e') || id != QStringLiteral("unsorted-colours");
+                const bool isSeen = choice.startsWith(u'e') || id != u"unsorted-colours"_s;
                 if (isSeen)
                     QTest::addRow("%s, %s", qPrintable(choice), qPrintable(id)) << choice << id;
             }
@@ -266,17 +258,15 @@ private slots:
 
     void aDefectPartsAtItsFirstWrongNumberOrPixel()
     {
-        const Scene scene = defaultScene(QStringLiteral("column-scan"));
+        const Scene scene = defaultScene(u"column-scan"_s);
         const std::vector<Defect> all = defectsFor(scene);
         const auto partingText = [&](const char *id) {
             const auto defect = std::ranges::find(all, QLatin1String(id), &Defect::id);
             const auto step = partingStepOf(scene, std::span(&*defect, 1));
-            return step ? step->heading + QStringLiteral(": ") + step->text : QString();
+            return step ? step->heading + u": "_s + step->text : QString();
         };
-        QCOMPARE(partingText("last-sample-missing"),
-                 QStringLiteral("Pixel (4, 5): (4, 5) is left out"));
-        QCOMPARE(partingText("ends-outward"),
-                 QStringLiteral("Column 5, first half: ⌈y_B⌉ is 5, should be 6"));
+        QCOMPARE(partingText("last-sample-missing"), u"Pixel (4, 5): (4, 5) is left out"_s);
+        QCOMPARE(partingText("ends-outward"), u"Column 5, first half: ⌈y_B⌉ is 5, should be 6"_s);
         QCOMPARE(partingText("upside-down"), QString()); // nothing is wrong in its run
     }
 };

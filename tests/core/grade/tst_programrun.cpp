@@ -34,14 +34,12 @@ namespace {
 StudentRun runShell(const QString &script, const ProgramLimits &limits = {},
                     const QByteArray &input = {})
 {
-    return runProgram(*studentProgramOf({QStringLiteral("sh"), QStringLiteral("-c"), script}),
-                      input, limits);
+    return runProgram(*studentProgramOf({u"sh"_s, u"-c"_s, script}), input, limits);
 }
 
 StudentRun runPython(const QString &script, const ProgramLimits &limits = {})
 {
-    return runProgram(*studentProgramOf({QStringLiteral("python3"), QStringLiteral("-c"), script}),
-                      {}, limits);
+    return runProgram(*studentProgramOf({u"python3"_s, u"-c"_s, script}), {}, limits);
 }
 
 ProgramLimits within(std::chrono::milliseconds time)
@@ -81,7 +79,7 @@ private slots:
     {
         const QByteArray input(1 << 20, 'x');
 
-        const StudentRun run = runShell(QStringLiteral("cat; echo said >&2"), {}, input);
+        const StudentRun run = runShell(u"cat; echo said >&2"_s, {}, input);
 
         QCOMPARE(run.end, ProgramEnd::Finished);
         QCOMPARE(run.output, input);
@@ -128,30 +126,28 @@ private slots:
         ProgramLimits limits = within(1000ms);
         QCOMPARE(limits.wallTime(), 4000ms);
 
-        QCOMPARE(runShell(QStringLiteral("ulimit -t"), limits).output, QByteArray("1\n"));
-        const StudentRun computing = runPython(QStringLiteral("while True: pass"), limits);
-        QCOMPARE(nameOf(computing.end), QStringLiteral("timed out"));
+        QCOMPARE(runShell(u"ulimit -t"_s, limits).output, QByteArray("1\n"));
+        const StudentRun computing = runPython(u"while True: pass"_s, limits);
+        QCOMPARE(nameOf(computing.end), u"timed out"_s);
         // However busy the machine is.
-        QCOMPARE(computing.told, QStringLiteral("it was ended after 1 s of computing"));
+        QCOMPARE(computing.told, u"it was ended after 1 s of computing"_s);
         QVERIFY(!computing.isByClock);
         // One program ignores the kernel's signal; another only looks as if it had been ended by
         // it.
-        const StudentRun deaf
-            = runPython(QStringLiteral("import signal\nsignal.signal(signal.SIGXCPU, "
-                                       "signal.SIG_IGN)\nwhile True: pass"),
-                        limits);
-        QCOMPARE(deaf.told, QStringLiteral("it was ended after 1 s of computing"));
+        const StudentRun deaf = runPython(u"import signal\nsignal.signal(signal.SIGXCPU, "
+                                          "signal.SIG_IGN)\nwhile True: pass"_s,
+                                          limits);
+        QCOMPARE(deaf.told, u"it was ended after 1 s of computing"_s);
         // The launcher reports a signal as such an exit code, as shells do.
-        QVERIFY(runShell(QStringLiteral("exit 152"), limits).told.startsWith("it crashed"));
-        QVERIFY(runShell(QStringLiteral("kill -XCPU $$"), limits).told.startsWith("it crashed"));
-        QCOMPARE(runShell(QStringLiteral("exit 255"), limits).told,
-                 QStringLiteral("it ended with exit code 255"));
+        QVERIFY(runShell(u"exit 152"_s, limits).told.startsWith("it crashed"));
+        QVERIFY(runShell(u"kill -XCPU $$"_s, limits).told.startsWith("it crashed"));
+        QCOMPARE(runShell(u"exit 255"_s, limits).told, u"it ended with exit code 255"_s);
         // A program that waits for others, as on a busy machine, has not computed.
-        const StudentRun waiting = runShell(QStringLiteral("sleep 1.5; echo done"), limits);
-        QCOMPARE(nameOf(waiting.end), QStringLiteral("finished"));
-        const StudentRun hanging = runShell(QStringLiteral("sleep 1000"), within(100ms));
+        const StudentRun waiting = runShell(u"sleep 1.5; echo done"_s, limits);
+        QCOMPARE(nameOf(waiting.end), u"finished"_s);
+        const StudentRun hanging = runShell(u"sleep 1000"_s, within(100ms));
         QCOMPARE(hanging.told,
-                 QStringLiteral("it was ended by the clock: for 0.4 s it was not seen to compute"));
+                 u"it was ended by the clock: for 0.4 s it was not seen to compute"_s);
         QVERIFY(hanging.isByClock);
     }
 
@@ -160,14 +156,13 @@ private slots:
         ProgramLimits limits = within(1000ms);
         limits.clockTimes = 1;
         limits.timesInAll = 1;
-        const StudentRun forking = runPython(QStringLiteral("import os\n"
-                                                            "for i in range(3):\n"
-                                                            "    if os.fork() == 0:\n"
-                                                            "        while True: pass\n"
-                                                            "while True: os.wait()"),
+        const StudentRun forking = runPython(u"import os\n"
+                                             "for i in range(3):\n"
+                                             "    if os.fork() == 0:\n"
+                                             "        while True: pass\n"
+                                             "while True: os.wait()"_s,
                                              limits);
-        QCOMPARE(forking.told,
-                 QStringLiteral("it was ended after 1 s of computing in all its processes"));
+        QCOMPARE(forking.told, u"it was ended after 1 s of computing in all its processes"_s);
         QVERIFY(forking.isInAll);
         QVERIFY(!forking.isByClock);
     }
@@ -176,11 +171,11 @@ private slots:
     {
         // The kernel's count in ticks may be ahead of the reported one: here by a fraction of a
         // second.
-        const StudentRun ended = runPython(QStringLiteral("import os, signal, time\n"
-                                                          "while time.process_time() < 1.3: pass\n"
-                                                          "os.kill(os.getpid(), signal.SIGXCPU)"),
+        const StudentRun ended = runPython(u"import os, signal, time\n"
+                                           "while time.process_time() < 1.3: pass\n"
+                                           "os.kill(os.getpid(), signal.SIGXCPU)"_s,
                                            within(2000ms));
-        QCOMPARE(ended.told, QStringLiteral("it was ended after 2 s of computing"));
+        QCOMPARE(ended.told, u"it was ended after 2 s of computing"_s);
     }
 
     void theClockEndsProgramsThatOnlyWait()
@@ -192,24 +187,23 @@ private slots:
             ProgramClock clock(limits, start);
             for (int i = 1; i <= windows; ++i) {
                 if (const auto end = clock.look(i * eachWindow, clock.nextLook()))
-                    return QStringLiteral("%1: %2").arg(i).arg(end->told);
+                    return u"%1: %2"_s.arg(i).arg(end->told);
             }
-            return QStringLiteral("goes on");
+            return u"goes on"_s;
         };
         QCOMPARE(ProgramClock(limits, start).nextLook(), start + 40s);
         // 1/64 of 10 s is 156 ms: a machine that also serves 250 others gives a program more.
-        QCOMPARE(lookedAt(157ms, 15), QStringLiteral("goes on"));
-        QCOMPARE(
-            lookedAt(156ms, 15),
-            QStringLiteral("1: it was ended by the clock: for 40 s it was not seen to compute"));
+        QCOMPARE(lookedAt(157ms, 15), u"goes on"_s);
+        QCOMPARE(lookedAt(156ms, 15),
+                 u"1: it was ended by the clock: for 40 s it was not seen to compute"_s);
         // The kernel does not end this, because no single process computes too long.
         QCOMPARE(lookedAt(40'000ms, 15),
-                 QStringLiteral("4: it was ended after 160 s of computing in all its processes"));
+                 u"4: it was ended after 160 s of computing in all its processes"_s);
         ProgramLimits less = limits;
         less.timesInAll = 1;
         QCOMPARE(ProgramClock(less, start).look(10'000ms, start + 40s)->told,
-                 QStringLiteral("it was ended after 10 s of computing in all its processes"));
-        QCOMPARE(lookedAt(157ms, 99), QStringLiteral("16: it was ended after 640 s by the clock"));
+                 u"it was ended after 10 s of computing in all its processes"_s);
+        QCOMPARE(lookedAt(157ms, 99), u"16: it was ended after 640 s by the clock"_s);
 
         ProgramClock clock(limits, start);
         QVERIFY(!clock.look(5'000ms, start + 40s));
@@ -220,14 +214,13 @@ private slots:
 
     void whatDescendantsComputeIsCounted()
     {
-        if (!QFile::exists(QStringLiteral("/proc/thread-self/children")))
+        if (!QFile::exists(u"/proc/thread-self/children"_s))
             QSKIP("the kernel does not list children");
         QProcess shell; // its child computes, and so does a grandchild, which then ends
-        shell.start(
-            QStringLiteral("sh"),
-            {QStringLiteral("-c"),
-             QStringLiteral("(python3 -c 'import time\n"
-                            "while time.process_time() < 0.2: pass'; echo; read x); echo")});
+        shell.start(u"sh"_s,
+                    {u"-c"_s,
+                     u"(python3 -c 'import time\n"
+                     "while time.process_time() < 0.2: pass'; echo; read x); echo"_s});
         QVERIFY(shell.waitForReadyRead());
         const auto computed = computedBy(pid_t(shell.processId()));
         QVERIFY2(computed >= 150ms && computed < 1000ms,
@@ -239,29 +232,28 @@ private slots:
     void whatIsNoProgramIsNotStarted()
     {
         QTemporaryDir folder;
-        const QString text = folder.filePath(QStringLiteral("text"));
+        const QString text = folder.filePath(u"text"_s);
         QVERIFY(!writeFile(text, "no program\n"));
         QVERIFY(!studentProgramOf({text}).isOk());
-        QVERIFY(!studentProgramOf({QStringLiteral("/nowhere/at-all")}).isOk());
+        QVERIFY(!studentProgramOf({u"/nowhere/at-all"_s}).isOk());
         QVERIFY(!studentProgramOf({}).isOk());
 
         QVERIFY(QFile::setPermissions(text, QFile::ReadOwner | QFile::ExeOwner | QFile::ExeOther));
         const StudentRun run = runProgram(*studentProgramOf({text}), {});
 
         QCOMPARE(nameOf(run.end), nameOf(ProgramEnd::NotStarted));
-        QVERIFY2(run.told.contains(QStringLiteral("Exec format error")), qPrintable(run.told));
+        QVERIFY2(run.told.contains(u"Exec format error"_s), qPrintable(run.told));
     }
 
     void namesMayBeOdd()
     {
         QTemporaryDir folder;
-        const QString name = folder.filePath(QStringLiteral("a\nb \x1b[31m'\"$(c)"));
+        const QString name = folder.filePath(u"a\nb \x1b[31m'\"$(c)"_s);
         QVERIFY(!writeFile(name, "#!/bin/sh\nprintf %s \"$1\"\n"));
         QVERIFY(QFile::setPermissions(
             name, QFile::ReadOwner | QFile::ExeOwner | QFile::ReadOther | QFile::ExeOther));
 
-        const StudentRun run
-            = runProgram(*studentProgramOf({name, QStringLiteral("; echo \n../x")}), {});
+        const StudentRun run = runProgram(*studentProgramOf({name, u"; echo \n../x"_s}), {});
 
         QCOMPARE(run.output, QByteArray("; echo \n../x"));
     }
@@ -269,12 +261,12 @@ private slots:
     void nothingOutlivesIt_data()
     {
         QTest::addColumn<QString>("script");
-        QTest::newRow("in the background") << QStringLiteral("sleep %1 & exit 0");
+        QTest::newRow("in the background") << u"sleep %1 & exit 0"_s;
         QTest::newRow("in a session of its own, with its output open")
-            << QStringLiteral("setsid sleep %1 & sleep 0.1; exit 0");
+            << u"setsid sleep %1 & sleep 0.1; exit 0"_s;
         QTest::newRow("an orphan's orphan")
-            << QStringLiteral("(setsid sh -c '(sleep %1 &) ; sleep %1' &) ; sleep 0.1; exit 0");
-        QTest::newRow("of one that hangs") << QStringLiteral("(setsid sleep %1 &); sleep %1");
+            << u"(setsid sh -c '(sleep %1 &) ; sleep %1' &) ; sleep 0.1; exit 0"_s;
+        QTest::newRow("of one that hangs") << u"(setsid sleep %1 &); sleep %1"_s;
     }
     void nothingOutlivesIt()
     {
@@ -288,15 +280,15 @@ private slots:
 
     void aForkBombIsBounded()
     {
-        const StudentRun run = runPython(QStringLiteral("import os, time\n"
-                                                        "made = 0\n"
-                                                        "try:\n"
-                                                        "    while made < 2000:\n"
-                                                        "        if os.fork() == 0:\n"
-                                                        "            time.sleep(1000)\n"
-                                                        "        made += 1\n"
-                                                        "except OSError:\n"
-                                                        "    print(made, os.getuid())\n"),
+        const StudentRun run = runPython(u"import os, time\n"
+                                         "made = 0\n"
+                                         "try:\n"
+                                         "    while made < 2000:\n"
+                                         "        if os.fork() == 0:\n"
+                                         "            time.sleep(1000)\n"
+                                         "        made += 1\n"
+                                         "except OSError:\n"
+                                         "    print(made, os.getuid())\n"_s,
                                          within(60'000ms));
 
         QCOMPARE(run.end, ProgramEnd::Finished);
@@ -310,9 +302,9 @@ private slots:
     void aForkBombThatGoesOnIsEnded()
     {
         const QByteArray seconds = unusualSeconds();
-        const StudentRun run = runShell(QStringLiteral("b() { sleep %1 & b | b & }; b; sleep %1")
-                                            .arg(QString::fromLatin1(seconds)),
-                                        within(500ms));
+        const StudentRun run = runShell(
+            u"b() { sleep %1 & b | b & }; b; sleep %1"_s.arg(QString::fromLatin1(seconds)),
+            within(500ms));
 
         QVERIFY(run.end != ProgramEnd::Finished);
         QCOMPARE(processesWith(seconds), 0);
@@ -321,10 +313,10 @@ private slots:
     void floodsAreCut_data()
     {
         QTest::addColumn<QString>("script");
-        QTest::newRow("output") << QStringLiteral("yes");
-        QTest::newRow("messages") << QStringLiteral("yes >&2");
-        QTest::newRow("both at once") << QStringLiteral("yes >&2 & yes");
-        QTest::newRow("four gigabytes") << QStringLiteral("head -c 4294967296 /dev/zero");
+        QTest::newRow("output") << u"yes"_s;
+        QTest::newRow("messages") << u"yes >&2"_s;
+        QTest::newRow("both at once") << u"yes >&2 & yes"_s;
+        QTest::newRow("four gigabytes") << u"head -c 4294967296 /dev/zero"_s;
     }
     void floodsAreCut()
     {
@@ -344,8 +336,7 @@ private slots:
         ProgramLimits limits = within(60'000ms);
         limits.memory = 256 << 20;
 
-        const StudentRun run
-            = runPython(QStringLiteral("x = bytearray(1 << 30)\nprint(len(x))"), limits);
+        const StudentRun run = runPython(u"x = bytearray(1 << 30)\nprint(len(x))"_s, limits);
 
         QCOMPARE(nameOf(run.end), nameOf(ProgramEnd::Failed));
         QVERIFY2(run.messages.contains("MemoryError"), run.messages.constData());
@@ -355,15 +346,14 @@ private slots:
     {
         ProgramLimits limits = within(60'000ms);
         limits.memory = std::int64_t(leastMegabytes) << 20;
-        QCOMPARE(runShell(QStringLiteral("echo here"), limits).output, QByteArray("here\n"));
+        QCOMPARE(runShell(u"echo here"_s, limits).output, QByteArray("here\n"));
         // The launcher needs more than that: the program itself did not fail.
         limits.memory = 1 << 20;
-        const StudentRun none = runShell(QStringLiteral("echo here"), limits);
+        const StudentRun none = runShell(u"echo here"_s, limits);
         if (!none.isSandboxed())
             QSKIP("Without a sandbox there may be nothing between the limit and the program.");
         QCOMPARE(nameOf(none.end), nameOf(ProgramEnd::NotStarted));
-        QVERIFY2(none.told.startsWith(QStringLiteral("it could not be started: ")),
-                 qPrintable(none.told));
+        QVERIFY2(none.told.startsWith(u"it could not be started: "_s), qPrintable(none.told));
     }
 
     void filesAreBounded()
@@ -371,53 +361,51 @@ private slots:
         ProgramLimits limits = within(60'000ms);
         limits.files = 1 << 20;
 
-        const StudentRun run = runShell(
-            QStringLiteral("head -c 8388608 /dev/zero > a; for f in a b c; do cat a > $f; done; "
-                           "stat -c %s a"),
-            limits);
+        const StudentRun run
+            = runShell(u"head -c 8388608 /dev/zero > a; for f in a b c; do cat a > $f; done; "
+                       "stat -c %s a"_s,
+                       limits);
 
         QVERIFY2(run.output.trimmed().toInt() <= 1 << 20, run.output.constData());
     }
 
     void itsFolderIsEmptyAndGoesWithIt()
     {
-        const StudentRun run = runShell(
-            QStringLiteral("ls -A; pwd; mkdir -p a/b; ln -s / a/root; touch a/b/c \"$(printf "
-                           "'x\\ny')\"; chmod 0 a/b a"));
+        const StudentRun run
+            = runShell(u"ls -A; pwd; mkdir -p a/b; ln -s / a/root; touch a/b/c \"$(printf "
+                       "'x\\ny')\"; chmod 0 a/b a"_s);
 
         const QString folder = QString::fromUtf8(run.output.trimmed());
         QCOMPARE(folder.count(u'\n'), 0);
         QVERIFY(QDir::isAbsolutePath(folder));
         QVERIFY(!QFileInfo::exists(folder));
-        QVERIFY(QFileInfo::exists(QStringLiteral("/etc/passwd")));
+        QVERIFY(QFileInfo::exists(u"/etc/passwd"_s));
     }
 
     void outsideItsFolderItWritesNothing()
     {
         QTemporaryDir folder;
         QVERIFY(QFile::setPermissions(folder.path(), QFile::Permissions(0x7777)));
-        const QString kept = folder.filePath(QStringLiteral("kept"));
+        const QString kept = folder.filePath(u"kept"_s);
         QVERIFY(!writeFile(kept, "as it was"));
         QVERIFY(QFile::setPermissions(kept, QFile::Permissions(0x6666)));
 
-        const StudentRun run = runShell(
-            QStringLiteral("ln -s '%1' out; echo x > out/kept; echo x > '%1/kept'; echo x > "
-                           "'%1/new'; rm -rf out/* '%1/kept'; echo done")
-                .arg(folder.path()));
+        const StudentRun run
+            = runShell(u"ln -s '%1' out; echo x > out/kept; echo x > '%1/kept'; echo x > "
+                       "'%1/new'; rm -rf out/* '%1/kept'; echo done"_s.arg(folder.path()));
 
         QCOMPARE(run.output, QByteArray("done\n"));
         if (!run.isSandboxed())
             QSKIP("Without namespaces it may write wherever its user may.");
         QCOMPARE(*readFile(kept), QByteArray("as it was"));
-        QVERIFY(!QFileInfo::exists(folder.filePath(QStringLiteral("new"))));
+        QVERIFY(!QFileInfo::exists(folder.filePath(u"new"_s)));
     }
 
     void itHasNoNetworkAndSeesNoOtherProcess()
     {
         const StudentRun run = runShell(
-            QStringLiteral(
-                "grep -c : /proc/net/dev; kill -0 %1 2>/dev/null && echo seen; ls /run; env")
-                .arg(getpid()));
+            u"grep -c : /proc/net/dev; kill -0 %1 2>/dev/null && echo seen; ls /run; env"_s.arg(
+                getpid()));
 
         if (!run.isSandboxed())
             QSKIP("The system gives no namespaces.");
@@ -441,8 +429,8 @@ private slots:
         });
 
         const StudentRun run
-            = runProgram(*studentProgramOf({QStringLiteral("sleep"), QString::fromLatin1(seconds)}),
-                         {}, within(60'000ms), source.get_token());
+            = runProgram(*studentProgramOf({u"sleep"_s, QString::fromLatin1(seconds)}), {},
+                         within(60'000ms), source.get_token());
 
         QCOMPARE(nameOf(run.end), nameOf(ProgramEnd::Cancelled));
         QCOMPARE(processesWith(seconds), 0);
@@ -456,7 +444,7 @@ private slots:
             for (std::size_t i = 0; i < runs.size(); ++i)
                 threads.emplace_back([&runs, i] {
                     runs[i]
-                        = runShell(QStringLiteral("cat; [ %1 -lt 4 ] || sleep 1000").arg(i),
+                        = runShell(u"cat; [ %1 -lt 4 ] || sleep 1000"_s.arg(i),
                                    within(i < 4 ? 60'000ms : 500ms), QByteArray::number(int(i)));
                 });
         }
@@ -539,13 +527,13 @@ private slots:
                                             + QByteArray(500, 'd'),
                                         20);
 
-        QCOMPARE(shown, QStringLiteral("a\uFFFD[2Jb\uFFFD\n\uFFFD\uFFFDc\tdddddddd …"));
+        QCOMPARE(shown, u"a\uFFFD[2Jb\uFFFD\n\uFFFD\uFFFDc\tdddddddd …"_s);
     }
 
     void theCommandTellsHowItEndedWhatDiffersAndWhy()
     {
         QTemporaryDir folder;
-        const QString drawn = folder.filePath(QStringLiteral("drawn.ppm"));
+        const QString drawn = folder.filePath(u"drawn.ppm"_s);
         QCOMPARE(run({"render", defaultScene(), "--rounding", "truncate", "-o", drawn}).exitCode,
                  0);
 
@@ -559,13 +547,13 @@ private slots:
 
         // `cat` is not ours: built with a sanitizer, our programs need more memory than they are
         // given.
-        const QString truth = folder.filePath(QStringLiteral("truth.ppm"));
+        const QString truth = folder.filePath(u"truth.ppm"_s);
         QCOMPARE(run({"render", defaultScene(), "-o", truth}).exitCode, 0);
         const ProgramRun right
             = run({"try", "--scene", defaultScene(), "--json", "--", "cat", truth});
         QCOMPARE(right.exitCode, 0);
         const QJsonObject report = QJsonDocument::fromJson(right.output).object();
-        QVERIFY(report[QStringLiteral("right")].toBool());
+        QVERIFY(report[u"right"_s].toBool());
 
         const ProgramRun crashed
             = run({"try", "--scene", defaultScene(), "--", "sh", "-c", "kill -ABRT $$"});
@@ -583,18 +571,18 @@ private slots:
                                    + QStringList{"--", "echo", output});
         };
 
-        const ProgramRun named = tried(QStringLiteral("triangle 0"));
+        const ProgramRun named = tried(u"triangle 0"_s);
         QCOMPARE(named.exitCode, 1);
         QVERIFY2(named.output.contains("nothing was printed that could be compared"),
                  named.output.constData());
         QVERIFY2(!named.output.contains("\nright\n"), named.output.constData());
-        const ProgramRun json = tried(QStringLiteral("triangle 0"), {"--json"});
+        const ProgramRun json = tried(u"triangle 0"_s, {"--json"});
         QVERIFY(json.output.contains("nothing was printed that could be compared"));
-        const ProgramRun unknown = tried(QStringLiteral("triangle 7"));
+        const ProgramRun unknown = tried(u"triangle 7"_s);
         QCOMPARE(unknown.exitCode, 1);
         QVERIFY2(unknown.output.contains("triangle 7 is named, the scene has 1"),
                  unknown.output.constData());
-        const ProgramRun beyond = tried(QStringLiteral("pixel 64 0 1 2 3"));
+        const ProgramRun beyond = tried(u"pixel 64 0 1 2 3"_s);
         QCOMPARE(beyond.exitCode, 1);
         QVERIFY2(beyond.output.contains("1 line of its trace lies beyond the frame"),
                  beyond.output.constData());
@@ -605,9 +593,9 @@ private slots:
         const QByteArray seconds = unusualSeconds();
         const StudentRun run = runProgram(
             *studentProgramOf(
-                {QStringLiteral("sh"), QStringLiteral("-c"),
-                 QStringLiteral("(setsid sh -c '(sleep %1 &) ; sleep %1' &) ; ulimit -v; sleep %1")
-                     .arg(QString::fromLatin1(seconds))}),
+                {u"sh"_s, u"-c"_s,
+                 u"(setsid sh -c '(sleep %1 &) ; sleep %1' &) ; ulimit -v; sleep %1"_s.arg(
+                     QString::fromLatin1(seconds))}),
             {}, within(500ms), {}, Confinement::LimitsAlone);
 
         QCOMPARE(run.output, QByteArray("1048576\n"));
@@ -630,8 +618,7 @@ private slots:
         QFETCH(QStringList, start);
         QTemporaryDir folder;
         for (const QString &path :
-             {resource(QStringLiteral("/adapters/adapter.py")),
-              resource(QStringLiteral("/adapters/adapter.cpp")),
+             {resource(u"/adapters/adapter.py"_s), resource(u"/adapters/adapter.cpp"_s),
               testData("student/scanconverter.py"), testData("student/scanconverter.h")}) {
             QVERIFY(QFile::copy(path, folder.filePath(QFileInfo(path).fileName())));
         }
@@ -649,7 +636,7 @@ private slots:
 
         const ProgramRun tried
             = run(QStringList{"try", "--input", "lines", "--scene", defaultScene(), "--scene",
-                              sceneFile(QStringLiteral("sliver.json")), "--"}
+                              sceneFile(u"sliver.json"_s), "--"}
                   + start);
 
         QVERIFY2(tried.exitCode == 0, tried.output + tried.messages);

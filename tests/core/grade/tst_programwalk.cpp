@@ -108,8 +108,8 @@ private slots:
     void everyMistakeOfAWalkCanBeStepped_data()
     {
         QTest::addColumn<QString>("method");
-        QTest::newRow("columns") << QStringLiteral("column-scan");
-        QTest::newRow("rows") << QStringLiteral("row-walk");
+        QTest::newRow("columns") << u"column-scan"_s;
+        QTest::newRow("rows") << u"row-walk"_s;
     }
     void everyMistakeOfAWalkCanBeStepped()
     {
@@ -185,10 +185,9 @@ private slots:
     void aChannelOfTheVerticesIsOneOfThePicture()
     {
         SeededRandom random(9);
-        const Scene scene = randomScene(random, QStringLiteral("column-scan"), FillRule::Closed);
+        const Scene scene = randomScene(random, u"column-scan"_s, FillRule::Closed);
         const Picture right = pictureOf(scene);
-        const std::array<QString, 3> names
-            = {QStringLiteral("red"), QStringLiteral("green"), QStringLiteral("blue")};
+        const std::array<QString, 3> names = {u"red"_s, u"green"_s, u"blue"_s};
         const std::vector<Defect> defects = defectsFor(scene);
         const auto channelWith = [&](const QString &id, std::size_t place, std::size_t channel) {
             const auto defect = std::ranges::find(defects, id, &Defect::id);
@@ -197,9 +196,9 @@ private slots:
         const auto place = std::size_t(std::ranges::find(right.covered, std::uint8_t(1))
                                        - right.covered.begin());
         for (std::size_t to = 0; to < 3; ++to) {
-            QCOMPARE(channelWith(names[to] + QStringLiteral("-not-set"), place, to), 0);
+            QCOMPARE(channelWith(names[to] + u"-not-set"_s, place, to), 0);
             for (std::size_t from = 0; from < 3; ++from) {
-                const QString id = names[to] + QStringLiteral("-from-") + names[from];
+                const QString id = names[to] + u"-from-"_s + names[from];
                 if (from != to)
                     QCOMPARE(channelWith(id, place, to), right.colours[place].channels[from]);
             }

@@ -34,7 +34,7 @@ class TestResultsFolder : public QObject {
     QString path(const QString &name) const { return m_folder->filePath(name); }
     GradingOrder order(const QString &results) const
     {
-        return {path("subs"), path(results), QStringLiteral("1"), 1};
+        return {path("subs"), path(results), u"1"_s, 1};
     }
     /// The error message; empty if grading worked.
     QString graded(const QString &results) const
@@ -60,9 +60,9 @@ private slots:
         QTest::addColumn<QString>("target");
         for (const char *name : {"index.html", "grades.csv", "results.json", "junit.xml",
                                  "assignment.json", "grading.lock"})
-            QTest::newRow(name) << QString::fromLatin1(name) << QStringLiteral("precious");
+            QTest::newRow(name) << QString::fromLatin1(name) << u"precious"_s;
         for (const char *name : {"grades", "pictures", "gradescope"})
-            QTest::newRow(name) << QString::fromLatin1(name) << QStringLiteral("elsewhere");
+            QTest::newRow(name) << QString::fromLatin1(name) << u"elsewhere"_s;
     }
     void noLinkIsWrittenThrough()
     {
@@ -75,8 +75,7 @@ private slots:
 
         const QString refusal = graded("results");
 
-        QVERIFY2(refusal.contains(name) && refusal.contains(QStringLiteral("link")),
-                 qPrintable(refusal));
+        QVERIFY2(refusal.contains(name) && refusal.contains(u"link"_s), qPrintable(refusal));
         QCOMPARE(contentOf(path("precious")), QByteArray("precious"));
         QCOMPARE(QDir(path("elsewhere")).entryList(QDir::AllEntries | QDir::NoDotAndDotDot),
                  QStringList("kept.txt"));
@@ -106,7 +105,7 @@ private slots:
     {
         QVERIFY(QDir().mkpath(path("results/grades")));
         const ResultsFolder results(path("results"));
-        const QString file = submissionFile(QStringLiteral("ann"));
+        const QString file = submissionFile(u"ann"_s);
         QVERIFY(!results.write(file, "old"));
         const pid_t child = ::fork();
         if (child == 0) {
@@ -154,8 +153,7 @@ private slots:
 
         const QString refusal = graded("site");
 
-        QVERIFY2(refusal.contains(QStringLiteral("is not of results of grading")),
-                 qPrintable(refusal));
+        QVERIFY2(refusal.contains(u"is not of results of grading"_s), qPrintable(refusal));
         QVERIFY(filesIn(path("site")) == before);
     }
 
@@ -164,10 +162,10 @@ private slots:
         QTest::addColumn<QByteArray>("content");
         QTest::addColumn<QString>("place");
         QTest::newRow("cut short") << QByteArray(R"({ "pixelplumbGrades": 1, "submissions")")
-                                   << QStringLiteral("submissions.json, line 1, column 39");
+                                   << u"submissions.json, line 1, column 39"_s;
         QTest::newRow("a word for a list")
             << QByteArray(R"({ "pixelplumbGrades": 1, "submissions": "ann" })")
-            << QStringLiteral("submissions.json, line 1, column 41, submissions: ");
+            << u"submissions.json, line 1, column 41, submissions: "_s;
     }
     void aDamagedListIsNamedWithItsPlace()
     {
@@ -193,13 +191,13 @@ private slots:
         const QByteArray content = contentOf(file);
         const auto whole = readGrades(path("results"));
         GradedSubmission renamed = whole->submissions.at(0);
-        QCOMPARE(renamed.name, QStringLiteral("ann"));
-        renamed.name = QStringLiteral("bob");
+        QCOMPARE(renamed.name, u"ann"_s);
+        renamed.name = u"bob"_s;
         QVERIFY(writeTo(file, writeGradedSubmission(renamed, writeAssignment(whole->assignment))));
 
         const auto read = readGrades(path("results"));
         QVERIFY(!read);
-        QVERIFY2(read.error().message().contains(QStringLiteral("is not named as grading names")),
+        QVERIFY2(read.error().message().contains(u"is not named as grading names"_s),
                  qPrintable(read.error().message()));
 
         QCOMPARE(graded("results"), QString());
@@ -269,8 +267,8 @@ private slots:
         QVERIFY(!read);
         QCOMPARE(read.error().message(),
                  picture
-                     + QStringLiteral(": has been changed since grading wrote it; expected what "
-                                      "grading wrote; grade the submissions again"));
+                     + u": has been changed since grading wrote it; expected what "
+                       "grading wrote; grade the submissions again"_s);
 
         QCOMPARE(graded("results"), QString());
         QVERIFY(filesIn(path("results")) == before);
@@ -291,8 +289,7 @@ private slots:
 
         QVERIFY(!isRoot || ::seteuid(0) == 0);
         QCOMPARE(::chmod(folder.constData(), 0755), 0);
-        QVERIFY2(refusal.contains(path("results"))
-                     && refusal.contains(QStringLiteral("cannot be written")),
+        QVERIFY2(refusal.contains(path("results")) && refusal.contains(u"cannot be written"_s),
                  qPrintable(refusal));
         QVERIFY(filesIn(path("results")) == before);
     }
@@ -340,8 +337,7 @@ private slots:
         const auto report = gradeFolder(order("results"), *read);
 
         QVERIFY(!report);
-        QVERIFY2(report.error().message().contains(
-                     QStringLiteral("is the input, which it would replace")),
+        QVERIFY2(report.error().message().contains(u"is the input, which it would replace"_s),
                  qPrintable(report.error().message()));
         QVERIFY(filesIn(path("results")) == before);
     }
@@ -358,13 +354,13 @@ private slots:
     void resultsAmongTheSubmissionsAreFoundBehindLinks_data()
     {
         QTest::addColumn<QString>("results");
-        QTest::newRow("itself") << QStringLiteral("subs");
-        QTest::newRow("below") << QStringLiteral("subs/results");
-        QTest::newRow("by dots") << QStringLiteral("elsewhere/../subs/results");
-        QTest::newRow("by a link, not there yet") << QStringLiteral("link/results/deep");
-        QTest::newRow("by a link to the submissions") << QStringLiteral("link");
-        QTest::newRow("by a link to what is not there") << QStringLiteral("dangling");
-        QTest::newRow("above") << QStringLiteral(".");
+        QTest::newRow("itself") << u"subs"_s;
+        QTest::newRow("below") << u"subs/results"_s;
+        QTest::newRow("by dots") << u"elsewhere/../subs/results"_s;
+        QTest::newRow("by a link, not there yet") << u"link/results/deep"_s;
+        QTest::newRow("by a link to the submissions") << u"link"_s;
+        QTest::newRow("by a link to what is not there") << u"dangling"_s;
+        QTest::newRow("above") << u"."_s;
     }
     void resultsAmongTheSubmissionsAreFoundBehindLinks()
     {

@@ -84,7 +84,7 @@ private slots:
 
     void aSmallPictureIsDrawnWhole()
     {
-        const Scene scene = largeScene(QStringLiteral("column-scan"), 64, 48);
+        const Scene scene = largeScene(u"column-scan"_s, 64, 48);
         DefectPictures pictures({scene});
         Picture found = *pictures.picture(0, {});
         found.colours[found.placeOf(20, 20)] = {};
@@ -141,7 +141,7 @@ private slots:
 
     void theConventionOfALargePictureIsReadOffSomeColumns()
     {
-        Scene scene = largeScene(QStringLiteral("column-scan"), 256, 144);
+        Scene scene = largeScene(u"column-scan"_s, 256, 144);
         const auto between = [](int x, int y) { // pixels, where another centre has samples
             return Vertex{
                 {Lattice(x) * unitsPerPixel + halfPixel, Lattice(y) * unitsPerPixel + halfPixel},
@@ -162,7 +162,7 @@ private slots:
             told += defect.id;
         QCOMPARE(told,
                  (QStringList{"other-origin-and-centre",
-                              QStringLiteral("rule-") + nameText(nameOf(read.settings.fillRule))}));
+                              u"rule-"_s + nameText(nameOf(read.settings.fillRule))}));
         // Whole, the 79 other conventions would be that many pictures.
         QVERIFY(pictures.work().pixels < 20 * std::int64_t(found.size()));
     }
@@ -177,7 +177,7 @@ private slots:
     void aLargePictureTakesFewPictures()
     {
         QFETCH(int, every);
-        const Scene scene = largeScene(QStringLiteral("column-scan"), 256, 144);
+        const Scene scene = largeScene(u"column-scan"_s, 256, 144);
         Picture found = pictureOf(scene);
         for (std::size_t place = 0; place < found.size(); ++place) {
             if (found.covered[place] != 0 && place % std::size_t(every) == 0)

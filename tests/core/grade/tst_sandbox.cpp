@@ -30,9 +30,8 @@ namespace {
 StudentRun runPython(QString script, Confinement confinement, const QString &name = {},
                      const ProgramLimits &limits = {})
 {
-    script.replace(QStringLiteral("NAME"), name);
-    const auto program
-        = studentProgramOf({QStringLiteral("python3"), QStringLiteral("-c"), script});
+    script.replace(u"NAME"_s, name);
+    const auto program = studentProgramOf({u"python3"_s, u"-c"_s, script});
     return runProgram(*program, {}, limits, {}, confinement);
 }
 
@@ -80,7 +79,7 @@ std::pair<Descriptor, int> listenAtPort()
 /// A folder that everybody may enter, as with system folders.
 std::unique_ptr<QTemporaryDir> openFolderIn(const QString &folder)
 {
-    auto made = std::make_unique<QTemporaryDir>(folder + QStringLiteral("/sandbox-test-XXXXXX"));
+    auto made = std::make_unique<QTemporaryDir>(folder + u"/sandbox-test-XXXXXX"_s);
     chmod(QFile::encodeName(made->path()).constData(), 0755);
     return made;
 }
@@ -104,17 +103,17 @@ private slots:
     void initTestCase()
     {
         if (!sandboxLack().isEmpty())
-            QSKIP(qPrintable(QStringLiteral("No sandbox here: ") + sandboxLack()));
+            QSKIP(qPrintable(u"No sandbox here: "_s + sandboxLack()));
     }
 
     void noSocketOutsideIsReached_data()
     {
         QTest::addColumn<QString>("place"); // a folder; @ for an abstract name; : for a port
         QTest::newRow("in /tmp") << QDir::tempPath();
-        QTest::newRow("in /run") << QStringLiteral("/run");
+        QTest::newRow("in /run") << u"/run"_s;
         QTest::newRow("in the home folder") << QDir::homePath();
-        QTest::newRow("by an abstract name") << QStringLiteral("@");
-        QTest::newRow("on the loopback device") << QStringLiteral(":");
+        QTest::newRow("by an abstract name") << u"@"_s;
+        QTest::newRow("on the loopback device") << u":"_s;
     }
     void noSocketOutsideIsReached()
     {
@@ -127,11 +126,11 @@ private slots:
             listening = std::move(made);
             name = QString::number(port);
         } else if (place == u'@') {
-            name = QStringLiteral("@pixelplumb-test-%1").arg(getpid());
+            name = u"@pixelplumb-test-%1"_s.arg(getpid());
             listening = listenAtPath(name.toUtf8().replace('@', '\0'));
         } else {
             folder = openFolderIn(place);
-            name = folder->filePath(QStringLiteral("socket"));
+            name = folder->filePath(u"socket"_s);
             listening = listenAtPath(QFile::encodeName(name));
         }
         if (!listening.isOpen())
@@ -140,7 +139,7 @@ private slots:
 
         const StudentRun inside = runPython(script, Confinement::Sandbox, name);
 
-        QCOMPARE(nameOf(inside.end), QStringLiteral("failed"));
+        QCOMPARE(nameOf(inside.end), u"failed"_s);
         QVERIFY(!isReached(listening));
         const StudentRun outside = runPython(script, Confinement::LimitsAlone, name);
         if (outside.output != "connected\n") // its user may not enter root's folder
@@ -157,15 +156,15 @@ private slots:
         const QString name = QString::fromLocal8Bit(ptsname(terminal.number()));
         const Descriptor held(open(ptsname(terminal.number()), O_RDWR | O_NOCTTY | O_CLOEXEC));
         chmod(ptsname(terminal.number()), 0666);
-        const QString script = QStringLiteral(
-            "import fcntl, os, termios\n"
-            "for name in ['NAME', '/dev/tty', '/dev/console', 0, 1, 2]:\n"
-            "    try:\n"
-            "        file = os.open(name, os.O_RDWR | os.O_NOCTTY) if isinstance(name, str) else "
-            "name\n"
-            "        if isinstance(name, str): os.write(file, b'\\x1b]0;owned\\x07')\n"
-            "        fcntl.ioctl(file, termios.TIOCSTI, b'x')\n"
-            "    except OSError: pass\n");
+        const QString script
+            = u"import fcntl, os, termios\n"
+              "for name in ['NAME', '/dev/tty', '/dev/console', 0, 1, 2]:\n"
+              "    try:\n"
+              "        file = os.open(name, os.O_RDWR | os.O_NOCTTY) if isinstance(name, str) else "
+              "name\n"
+              "        if isinstance(name, str): os.write(file, b'\\x1b]0;owned\\x07')\n"
+              "        fcntl.ioctl(file, termios.TIOCSTI, b'x')\n"
+              "    except OSError: pass\n"_s;
 
         runPython(script, Confinement::Sandbox, name);
         QVERIFY(!isReached(terminal));
@@ -176,9 +175,9 @@ private slots:
     /// The machine has a limited number of terminals for all, and a program could use them up.
     void noTerminalIsMade()
     {
-        const QString script = QStringLiteral("import os\n"
-                                              "os.open('/dev/ptmx', os.O_RDWR | os.O_NOCTTY)\n"
-                                              "print('made')");
+        const QString script = u"import os\n"
+                               "os.open('/dev/ptmx', os.O_RDWR | os.O_NOCTTY)\n"
+                               "print('made')"_s;
         QCOMPARE(runPython(script, Confinement::Sandbox).output, QByteArray());
         if (runPython(script, Confinement::LimitsAlone).output != "made\n")
             QSKIP("Nor is one made without a sandbox.");
@@ -187,14 +186,13 @@ private slots:
     void noPipeOutsideIsWrittenTo()
     {
         const auto folder = openFolderIn(QDir::tempPath());
-        const QString name = folder->filePath(QStringLiteral("pipe"));
+        const QString name = folder->filePath(u"pipe"_s);
         QCOMPARE(mkfifo(QFile::encodeName(name).constData(), 0666), 0);
         chmod(QFile::encodeName(name).constData(), 0666);
         const Descriptor reader(
             open(QFile::encodeName(name).constData(), O_RDONLY | O_NONBLOCK | O_CLOEXEC));
-        const QString script
-            = QStringLiteral("import os\n"
-                             "os.write(os.open('NAME', os.O_WRONLY | os.O_NONBLOCK), b'x')");
+        const QString script = u"import os\n"
+                               "os.write(os.open('NAME', os.O_WRONLY | os.O_NONBLOCK), b'x')"_s;
 
         runPython(script, Confinement::Sandbox, name);
         QVERIFY(!isReached(reader));
@@ -205,20 +203,19 @@ private slots:
     void nobodyElseIsSentASignal()
     {
         QProcess witness;
-        witness.start(QStringLiteral("sleep"), {QStringLiteral("1000")});
+        witness.start(u"sleep"_s, {u"1000"_s});
         QVERIFY(witness.waitForStarted());
 
-        const StudentRun run = runPython(
-            QStringLiteral("import os, signal\n"
-                           "seen = [int(each) for each in os.listdir('/proc') if each.isdigit()]\n"
-                           "for each in seen + [os.getppid(), NAME, %1]:\n"
-                           "    if each != os.getpid():\n"
-                           "        try: os.kill(each, signal.SIGKILL)\n"
-                           "        except OSError: pass\n"
-                           "try: os.kill(-1, signal.SIGKILL)\n"
-                           "except PermissionError: print('not all')\n")
-                .arg(getpid()),
-            Confinement::Sandbox, QString::number(witness.processId()));
+        const StudentRun run
+            = runPython(u"import os, signal\n"
+                        "seen = [int(each) for each in os.listdir('/proc') if each.isdigit()]\n"
+                        "for each in seen + [os.getppid(), NAME, %1]:\n"
+                        "    if each != os.getpid():\n"
+                        "        try: os.kill(each, signal.SIGKILL)\n"
+                        "        except OSError: pass\n"
+                        "try: os.kill(-1, signal.SIGKILL)\n"
+                        "except PermissionError: print('not all')\n"_s.arg(getpid()),
+                        Confinement::Sandbox, QString::number(witness.processId()));
 
         // The program may end the first process of its own namespace, and thereby itself.
         QVERIFY2(run.output == "not all\n" || run.end == ProgramEnd::Crashed, qPrintable(run.told));
@@ -231,13 +228,12 @@ private slots:
     void everyProcessThatItCanReachHasItsLimits()
     {
         const StudentRun run = runPython(
-            QStringLiteral(
-                "import os\n"
-                "for each in os.listdir('/proc'):\n"
-                "    try: os.kill(int(each), 0); text = open(f'/proc/{each}/limits').read()\n"
-                "    except (OSError, ValueError): continue\n"
-                "    of = {line[:26].strip(): line[26:].split()[1] for line in text.splitlines()}\n"
-                "    print(of['Max processes'], of['Max address space'], of['Max cpu time'])\n"),
+            u"import os\n"
+            "for each in os.listdir('/proc'):\n"
+            "    try: os.kill(int(each), 0); text = open(f'/proc/{each}/limits').read()\n"
+            "    except (OSError, ValueError): continue\n"
+            "    of = {line[:26].strip(): line[26:].split()[1] for line in text.splitlines()}\n"
+            "    print(of['Max processes'], of['Max address space'], of['Max cpu time'])\n"_s,
             Confinement::Sandbox);
 
         QList<QByteArray> lines = run.output.trimmed().split('\n');
@@ -251,24 +247,23 @@ private slots:
         ProgramLimits limits;
         limits.files = 4 << 20;
         const StudentRun run = runPython(
-            QStringLiteral(
-                "import ctypes, os\n"
-                "libc = ctypes.CDLL(None, use_errno=True)\n"
-                "page = ctypes.create_string_buffer(1 << 12)\n"
-                "pages = (ctypes.c_size_t * 2)(ctypes.addressof(page), 1 << 12)\n"
-                "print(libc.memfd_create(b'x', 0), libc.shmget(0, 1 << 28, 0o1600),\n"
-                "      libc.msgget(0, 0o1600), libc.unshare(0x10000000),\n"
-                "      libc.setxattr(b'/tmp', b'user.a', b'b', 1, 0),\n"
-                "      libc.vmsplice(os.pipe()[1], pages, 1, 0))\n"
-                "written = 0\n"
-                "for folder, _, _ in os.walk('/'):\n"
-                "    if folder.startswith('/proc'): continue\n"
-                "    for i in range(8):\n"
-                "        try:\n"
-                "            file = os.open(f'{folder}/{i}.large', os.O_CREAT | os.O_WRONLY)\n"
-                "            while True: written += os.write(file, bytes(1 << 16))\n"
-                "        except OSError: pass\n"
-                "print(written)\n"),
+            u"import ctypes, os\n"
+            "libc = ctypes.CDLL(None, use_errno=True)\n"
+            "page = ctypes.create_string_buffer(1 << 12)\n"
+            "pages = (ctypes.c_size_t * 2)(ctypes.addressof(page), 1 << 12)\n"
+            "print(libc.memfd_create(b'x', 0), libc.shmget(0, 1 << 28, 0o1600),\n"
+            "      libc.msgget(0, 0o1600), libc.unshare(0x10000000),\n"
+            "      libc.setxattr(b'/tmp', b'user.a', b'b', 1, 0),\n"
+            "      libc.vmsplice(os.pipe()[1], pages, 1, 0))\n"
+            "written = 0\n"
+            "for folder, _, _ in os.walk('/'):\n"
+            "    if folder.startswith('/proc'): continue\n"
+            "    for i in range(8):\n"
+            "        try:\n"
+            "            file = os.open(f'{folder}/{i}.large', os.O_CREAT | os.O_WRONLY)\n"
+            "            while True: written += os.write(file, bytes(1 << 16))\n"
+            "        except OSError: pass\n"
+            "print(written)\n"_s,
             Confinement::Sandbox, {}, limits);
 
         const QList<QByteArray> lines = run.output.split('\n');
@@ -283,14 +278,13 @@ private slots:
         const auto other = openFolderIn(QDir::tempPath());
         if (!folder->isValid())
             QSKIP("Nothing can be written to the home folder.");
-        const QStringList files = {folder->filePath(QStringLiteral("secret")),
-                                   other->filePath(QStringLiteral("secret")),
-                                   QStringLiteral("/etc/passwd"), QStringLiteral("/etc/hostname")};
+        const QStringList files = {folder->filePath(u"secret"_s), other->filePath(u"secret"_s),
+                                   u"/etc/passwd"_s, u"/etc/hostname"_s};
         QVERIFY(writeTo(files[0], "s") && writeTo(files[1], "s"));
-        const QString script = QStringLiteral(
-            "import os\n"
-            "print(*[name for name in 'NAME'.split() if os.path.exists(name)])\n"
-            "print(*os.listdir(os.environ['HOME']), *os.listdir('/run'), *os.listdir('.'))\n");
+        const QString script
+            = u"import os\n"
+              "print(*[name for name in 'NAME'.split() if os.path.exists(name)])\n"
+              "print(*os.listdir(os.environ['HOME']), *os.listdir('/run'), *os.listdir('.'))\n"_s;
 
         const StudentRun run = runPython(script, Confinement::Sandbox, files.join(u' '));
 
@@ -300,17 +294,19 @@ private slots:
     /// Reading is root's right, which a user of its own keeps for the program's files.
     void whatTheKernelTellsRootAloneIsNotTold()
     {
-        const QString script = QStringLiteral(
-            "import os, stat\n"
-            "told = []\n"
-            "for name in ['vmallocinfo', 'slabinfo', 'timer_list', 'kpagecount', 'kmsg']:\n"
-            "    name = '/proc/' + name\n"
-            "    try:\n"
-            "        if stat.S_ISREG(os.stat(name).st_mode) and os.open(name, os.O_RDONLY) >= 0:\n"
-            "            told.append(name)\n"
-            "    except OSError: pass\n"
-            "print(*told, os.listdir('/proc/tty/driver') if os.access('/proc/tty/driver', os.R_OK)"
-            " else [])\n");
+        const QString script
+            = u"import os, stat\n"
+              "told = []\n"
+              "for name in ['vmallocinfo', 'slabinfo', 'timer_list', 'kpagecount', 'kmsg']:\n"
+              "    name = '/proc/' + name\n"
+              "    try:\n"
+              "        if stat.S_ISREG(os.stat(name).st_mode) and os.open(name, os.O_RDONLY) >= "
+              "0:\n"
+              "            told.append(name)\n"
+              "    except OSError: pass\n"
+              "print(*told, os.listdir('/proc/tty/driver') if os.access('/proc/tty/driver', "
+              "os.R_OK)"
+              " else [])\n"_s;
 
         const StudentRun run = runPython(script, Confinement::Sandbox);
 
@@ -320,14 +316,14 @@ private slots:
     void aProgramSeesItsFolderAndNoOther()
     {
         const auto folder = openFolderIn(QDir::tempPath());
-        const QString program = folder->filePath(QStringLiteral("ada/draw"));
+        const QString program = folder->filePath(u"ada/draw"_s);
         QVERIFY(writeTo(program,
                         "#!/bin/sh\ncat \"$(dirname \"$0\")/table\" 2>&1; cat \""
-                            + QFile::encodeName(folder->filePath(QStringLiteral("bob/table")))
+                            + QFile::encodeName(folder->filePath(u"bob/table"_s))
                             + "\" 2>/dev/null || echo hidden\n"));
         chmod(QFile::encodeName(program).constData(), 0755);
-        QVERIFY(writeTo(folder->filePath(QStringLiteral("ada/table")), "her own\n"));
-        QVERIFY(writeTo(folder->filePath(QStringLiteral("bob/table")), "another's\n"));
+        QVERIFY(writeTo(folder->filePath(u"ada/table"_s), "her own\n"));
+        QVERIFY(writeTo(folder->filePath(u"bob/table"_s), "another's\n"));
 
         const auto inFolder = studentProgramOf({program});
         const auto alone = studentProgramOf({program}, ShownFiles::Alone);
@@ -340,14 +336,14 @@ private slots:
     /// A newer kernel may do by another number what is denied: setxattrat (463) holds memory.
     void callsThatAreNotKnownAreDenied()
     {
-        const QString script = QStringLiteral(
-            "import ctypes, errno\n"
-            "libc = ctypes.CDLL(None, use_errno=True)\n"
-            "def failure(call):\n"
-            "    libc.syscall(call, -1, 0, 0, 0, 0, 0)\n"
-            "    return ctypes.get_errno()\n"
-            "libc.syscall(463, -100, b'/tmp', 0, b'user.a', (ctypes.c_uint64 * 2)(), 16)\n"
-            "print(*[each for each in range(450, 1024) if failure(each) != errno.ENOSYS])\n");
+        const QString script
+            = u"import ctypes, errno\n"
+              "libc = ctypes.CDLL(None, use_errno=True)\n"
+              "def failure(call):\n"
+              "    libc.syscall(call, -1, 0, 0, 0, 0, 0)\n"
+              "    return ctypes.get_errno()\n"
+              "libc.syscall(463, -100, b'/tmp', 0, b'user.a', (ctypes.c_uint64 * 2)(), 16)\n"
+              "print(*[each for each in range(450, 1024) if failure(each) != errno.ENOSYS])\n"_s;
 
         QCOMPARE(runPython(script, Confinement::Sandbox).output, QByteArray("\n"));
     }
@@ -363,11 +359,10 @@ private slots:
         const QByteArray hidden = "hidden\n";
         QTest::newRow("a folder of its own")
             << false << QString() << 0755 << QByteArray("others'\n");
-        QTest::newRow("the home folder") << true << QStringLiteral("real") << 0755 << hidden;
-        QTest::newRow("a home folder by a link")
-            << true << QStringLiteral("link") << 0755 << hidden;
+        QTest::newRow("the home folder") << true << u"real"_s << 0755 << hidden;
+        QTest::newRow("a home folder by a link") << true << u"link"_s << 0755 << hidden;
         QTest::newRow("a home folder in one by a link")
-            << true << QStringLiteral("link/below") << 0755 << hidden;
+            << true << u"link/below"_s << 0755 << hidden;
         QTest::newRow("where everybody may write") << false << QString() << 01777 << hidden;
     }
     void whatLiesBesideAProgramInASharedFolderIsNotSeen()
@@ -377,22 +372,21 @@ private slots:
         QFETCH(int, mode);
         QFETCH(QByteArray, seen);
         const auto folder = openFolderIn(QDir::tempPath());
-        const QByteArray real = QFile::encodeName(folder->filePath(QStringLiteral("real")));
-        const QString program = folder->filePath(QStringLiteral("real/draw"));
+        const QByteArray real = QFile::encodeName(folder->filePath(u"real"_s));
+        const QString program = folder->filePath(u"real/draw"_s);
         QVERIFY(
             writeTo(program, "#!/bin/sh\ncat \"$(dirname \"$0\")/table\" 2>&- || echo hidden\n"));
-        QVERIFY(writeTo(folder->filePath(QStringLiteral("real/table")), "others'\n"));
+        QVERIFY(writeTo(folder->filePath(u"real/table"_s), "others'\n"));
         chmod(QFile::encodeName(program).constData(), 0755);
         chmod(real.constData(), mode_t(mode));
-        QVERIFY(
-            QFile::link(QString::fromLocal8Bit(real), folder->filePath(QStringLiteral("link"))));
-        QVERIFY(QDir(folder->path()).mkpath(QStringLiteral("real/below")));
+        QVERIFY(QFile::link(QString::fromLocal8Bit(real), folder->filePath(u"link"_s)));
+        QVERIFY(QDir(folder->path()).mkpath(u"real/below"_s));
         const QByteArray before = qgetenv("HOME");
         if (isHome)
             qputenv("HOME", QFile::encodeName(folder->filePath(home)));
 
         const auto byPath = studentProgramOf({program});
-        const auto byLink = studentProgramOf({folder->filePath(QStringLiteral("link/draw"))});
+        const auto byLink = studentProgramOf({folder->filePath(u"link/draw"_s)});
         qputenv("HOME", before);
 
         QCOMPARE(runProgram(*byPath, {}).output, seen);

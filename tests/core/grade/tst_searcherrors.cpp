@@ -64,7 +64,7 @@ Assignment ofALargePicture()
     Scene scene = sceneOf(lineAt(2, 3, 100, 50), "line-dda", {}); // a line has few defects
     scene.frame.width = scene.frame.height = 120; // 43 200 bytes of colours
     Assignment assignment;
-    assignment.scenes = {{QStringLiteral("large"), scene}};
+    assignment.scenes = {{u"large"_s, scene}};
     return assignment;
 }
 
@@ -89,34 +89,32 @@ private slots:
         const auto diagnosis = diagnose(std::span(&submission, 1), failing);
 
         QVERIFY(diagnosis);
-        QCOMPARE(nameOf(diagnosis->verdict), QStringLiteral("wrong"));
+        QCOMPARE(nameOf(diagnosis->verdict), u"wrong"_s);
         QVERIFY(diagnosis->differing > 0);
         QVERIFY(diagnosis->candidates.empty());
-        QVERIFY2(diagnosis->failure->contains(QStringLiteral("the twentieth")),
-                 qPrintable(*diagnosis->failure));
+        QVERIFY2(diagnosis->failure->contains(u"the twentieth"_s), qPrintable(*diagnosis->failure));
     }
 
     void whereverMemoryEndsOthersAreGraded()
     {
         const QTemporaryDir folder;
         Assignment assignment = ofALargePicture();
-        assignment.name = QStringLiteral("Large");
+        assignment.name = u"Large"_s;
         const Scene &scene = assignment.scenes[0].scene;
-        const QString subs = folder.filePath(QStringLiteral("subs"));
+        const QString subs = folder.filePath(u"subs"_s);
         for (const char *name : {"ada", "bob"}) {
             Picture picture = noise(scene.frame);
             picture.colours.back() = {{1, 2, std::uint8_t(name[0])}}; // all different
             picture.covered.back() = 1;
             QVERIFY(QDir().mkpath(subs + u'/' + QLatin1String(name)));
-            QVERIFY(imageOf(picture).save(
-                QStringLiteral("%1/%2/large.png").arg(subs, QLatin1String(name))));
+            QVERIFY(imageOf(picture).save(u"%1/%2/large.png"_s.arg(subs, QLatin1String(name))));
         }
         int failedSearches = 0;
         int ungraded = 0;
         // Before the search, reading and judging a class makes some hundred allocations.
         for (int pieces = 1; pieces < 1 << 16 && failedSearches < 2; pieces *= 2) {
-            const QString results = folder.filePath(QStringLiteral("results-%1").arg(pieces));
-            const GradingOrder order{subs, results, QStringLiteral("1"), 1};
+            const QString results = folder.filePath(u"results-%1"_s.arg(pieces));
+            const GradingOrder order{subs, results, u"1"_s, 1};
             const ProgressListener limiting = [&](const JobProgress &progress) {
                 if (progress.done == 0)
                     largePiecesLeft = pieces;
@@ -128,10 +126,9 @@ private slots:
             largePiecesLeft = -1;
             QVERIFY2(report.isOk(), report ? "" : qPrintable(report.error().message()));
             QCOMPARE((*report)->submissions.size(), 2U);
-            QVERIFY(QFile::exists(results + QStringLiteral("/grades.csv")));
+            QVERIFY(QFile::exists(results + u"/grades.csv"_s));
             for (const GradedSubmission &each : (*report)->submissions) {
-                QCOMPARE(nameOf(each.verdict),
-                         each.gradingError ? QStringLiteral("nothing") : QStringLiteral("wrong"));
+                QCOMPARE(nameOf(each.verdict), each.gradingError ? u"nothing"_s : u"wrong"_s);
                 failedSearches += each.searchError ? 1 : 0;
                 ungraded += each.gradingError ? 1 : 0;
             }
@@ -144,14 +141,14 @@ private slots:
     {
         const QTemporaryDir folder;
         const Assignment assignment = ofALargePicture();
-        const QString subs = folder.filePath(QStringLiteral("subs"));
+        const QString subs = folder.filePath(u"subs"_s);
         for (const char *name : {"ada", "bob"}) {
             QVERIFY(QDir().mkpath(subs + u'/' + QLatin1String(name)));
             QVERIFY(imageOf(pictureOf(assignment.scenes[0].scene))
-                        .save(QStringLiteral("%1/%2/large.png").arg(subs, QLatin1String(name))));
+                        .save(u"%1/%2/large.png"_s.arg(subs, QLatin1String(name))));
         }
-        const QString results = folder.filePath(QStringLiteral("results"));
-        const GradingOrder order{subs, results, QStringLiteral("1"), 1};
+        const QString results = folder.filePath(u"results"_s);
+        const GradingOrder order{subs, results, u"1"_s, 1};
         const ProgressListener atOnce = [](const JobProgress &progress) {
             if (progress.done == 0)
                 largePiecesLeft = 0; // during ada's search
@@ -162,15 +159,14 @@ private slots:
 
         largePiecesLeft = -1;
         QVERIFY2(report.isOk(), report ? "" : qPrintable(report.error().message()));
-        const QString told = QStringLiteral("cannot be graded: it does not fit into memory");
+        const QString told = u"cannot be graded: it does not fit into memory"_s;
         const GradedSubmission &ada = (*report)->submissions[0];
-        QCOMPARE(verdictText(ada), QStringLiteral("cannot be graded"));
+        QCOMPARE(verdictText(ada), u"cannot be graded"_s);
         QCOMPARE(ada.points(), 0.0);
-        QCOMPARE(sentencesFor(ada, HintLevel::Class),
-                 QStringList(QStringLiteral("large: ") + told));
-        QCOMPARE(verdictText((*report)->submissions[1]), QStringLiteral("right"));
-        QCOMPARE(ungradedLines(**report), QStringList(QStringLiteral("ada: ") + told));
-        QVERIFY(contentOf(results + QStringLiteral("/grades.csv")).contains(told.toUtf8()));
+        QCOMPARE(sentencesFor(ada, HintLevel::Class), QStringList(u"large: "_s + told));
+        QCOMPARE(verdictText((*report)->submissions[1]), u"right"_s);
+        QCOMPARE(ungradedLines(**report), QStringList(u"ada: "_s + told));
+        QVERIFY(contentOf(results + u"/grades.csv"_s).contains(told.toUtf8()));
         for (const char *file : {"results.json", "index.html", "junit.xml"})
             QVERIFY(contentOf(results + u'/' + QLatin1String(file)).contains(told.toUtf8()));
         QVERIFY(std::ranges::any_of(clustersOf(**report), [&](const GradeCluster &cluster) {
@@ -180,7 +176,7 @@ private slots:
         const auto again = gradeFolder(order, assignment);
 
         QVERIFY(again.isOk());
-        QCOMPARE(verdictText((*again)->submissions[0]), QStringLiteral("right"));
+        QCOMPARE(verdictText((*again)->submissions[0]), u"right"_s);
         QVERIFY(ungradedLines(**again).isEmpty());
     }
 
@@ -188,10 +184,9 @@ private slots:
     {
         const QTemporaryDir folder;
         const Assignment assignment = ofALargePicture();
-        const QString subs = folder.filePath(QStringLiteral("subs"));
-        QVERIFY(QDir().mkpath(subs + QStringLiteral("/ada")));
-        QVERIFY(imageOf(pictureOf(assignment.scenes[0].scene))
-                    .save(subs + QStringLiteral("/ada/large.png")));
+        const QString subs = folder.filePath(u"subs"_s);
+        QVERIFY(QDir().mkpath(subs + u"/ada"_s));
+        QVERIFY(imageOf(pictureOf(assignment.scenes[0].scene)).save(subs + u"/ada/large.png"_s));
         bool hasFailed = false;
         const ProgressListener once = [&hasFailed](const JobProgress &progress) {
             if (progress.done == 0)
@@ -200,13 +195,12 @@ private slots:
             return true;
         };
 
-        const auto report = gradeFolder(
-            {subs, folder.filePath(QStringLiteral("results")), QStringLiteral("1"), 2}, assignment,
-            once);
+        const auto report
+            = gradeFolder({subs, folder.filePath(u"results"_s), u"1"_s, 2}, assignment, once);
 
         QVERIFY(report.isOk());
         QVERIFY(hasFailed);
-        QCOMPARE(verdictText((*report)->submissions[0]), QStringLiteral("right"));
+        QCOMPARE(verdictText((*report)->submissions[0]), u"right"_s);
     }
 };
 

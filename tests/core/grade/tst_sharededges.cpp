@@ -71,10 +71,7 @@ std::vector<Picture> watertight(const Scene &scene)
     return pictures;
 }
 
-QString idsOf(const DiagnosisCandidate &candidate)
-{
-    return candidate.ids().join(QStringLiteral(" and "));
-}
+QString idsOf(const DiagnosisCandidate &candidate) { return candidate.ids().join(u" and "_s); }
 
 } // namespace
 
@@ -214,8 +211,7 @@ private slots:
             const auto diagnosis
                 = diagnose(std::vector{Submission{scene, found}}, {}, {Leeway::Edges});
             QCOMPARE(diagnosis->verdict, DiagnosisVerdict::Wrong);
-            QCOMPARE(idsOf(diagnosis->candidates.front()),
-                     QStringLiteral("channels-bgr-in-place-of-rgb"));
+            QCOMPARE(idsOf(diagnosis->candidates.front()), u"channels-bgr-in-place-of-rgb"_s);
         }
     }
 

@@ -36,7 +36,7 @@ class TestSharedGrading : public QObject {
     QString path(const QString &name) const { return m_folder.filePath(name); }
     GradingOrder order(const QString &results) const
     {
-        return {path("subs"), path(results), QStringLiteral("1"), 1};
+        return {path("subs"), path(results), u"1"_s, 1};
     }
     std::unique_ptr<QProcess> started(const QString &results, const QStringList &names = {}) const
     {
@@ -204,8 +204,8 @@ private slots:
             QVERIFY(!refused);
             QCOMPARE(refused.error().message(),
                      path("one assignment/assignment.json")
-                         + QStringLiteral(": is of another run, which is still grading; expected "
-                                          "its end, or another folder for this assignment"));
+                         + u": is of another run, which is still grading; expected "
+                           "its end, or another folder for this assignment"_s);
         }
         QVERIFY(filesIn(path("one assignment")) == before);
         const auto after = gradeFolder(order("one assignment"), other);

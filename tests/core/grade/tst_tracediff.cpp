@@ -61,8 +61,7 @@ private slots:
         std::ranges::reverse(lines);
         QCOMPARE(told(lines), QString());
         lines.swapItemsAt(10, 11);
-        QVERIFY2(told(lines).contains(QStringLiteral("the order is another")),
-                 qPrintable(told(lines)));
+        QVERIFY2(told(lines).contains(u"the order is another"_s), qPrintable(told(lines)));
     }
 
     void floatsAreNeverWrong_data()
@@ -158,7 +157,7 @@ private slots:
         QStringList lines = pixels(scene, Arithmetic::Exact, Form::Bytes);
         // The first triangle leaves out a pixel of the diagonal; the trace does not say which
         // triangle draws it.
-        QCOMPARE(lines.removeAll(QStringLiteral("pixel 8 8 255 0 0")), 1);
+        QCOMPARE(lines.removeAll(u"pixel 8 8 255 0 0"_s), 1);
 
         const auto difference = traceDifferenceOf(
             scene, *parseWrittenTrace(lines.join(u'\n').toUtf8(), scene.frame), {Leeway::Edges});
@@ -202,7 +201,7 @@ private slots:
         doubled.insert(9, right[8]);
         row("a column twice", doubled, "column 12 comes twice, should come once");
         QStringList extra = right;
-        extra.prepend(QStringLiteral("column 3 5 5"));
+        extra.prepend(u"column 3 5 5"_s);
         row("a column of none", extra, "column 3 is there, should not be");
         QStringList other = right;
         other.swapItemsAt(8, 9);
@@ -225,7 +224,7 @@ private slots:
     void theStepIsThatOfTheNumber()
     {
         QStringList lines = columns(Arithmetic::Exact);
-        lines[8] = QStringLiteral("column 12 6.037 18.5");
+        lines[8] = u"column 12 6.037 18.5"_s;
         const auto written = parseWrittenTrace(lines.join(u'\n').toUtf8(), m_scene.frame);
         const auto difference = traceDifferenceOf(m_scene, *written);
         QVERIFY(difference.isOk() && *difference);
@@ -240,9 +239,8 @@ private slots:
     {
         const QStringList lines = {"column 4 5.00001 5"};
 
-        QVERIFY(differenceOf(lines).startsWith(QStringLiteral("column 5")));
-        QCOMPARE(differenceOf(lines, {Leeway::Strict}),
-                 QStringLiteral("column 4, y_B: 5.00001, should be 5"));
+        QVERIFY(differenceOf(lines).startsWith(u"column 5"_s));
+        QCOMPARE(differenceOf(lines, {Leeway::Strict}), u"column 4, y_B: 5.00001, should be 5"_s);
     }
 
     void trianglesAreKeptApart()
@@ -256,27 +254,25 @@ private slots:
         };
 
         QCOMPARE(first("triangle 1\ncolumn 4 5 5\n"),
-                 QStringLiteral("triangle 1, column 4, y_B: 5, should be 6"));
+                 u"triangle 1, column 4, y_B: 5, should be 6"_s);
         // A tip may be left out, but not the column after it.
-        QCOMPARE(first("triangle 1\ncolumn 4 6 6\n"),
-                 QStringLiteral("triangle 0, column 5 is missing"));
+        QCOMPARE(first("triangle 1\ncolumn 4 6 6\n"), u"triangle 0, column 5 is missing"_s);
         QCOMPARE(first("triangle 0\ncolumn 4 6 6\n"),
-                 QStringLiteral("triangle 0, column 4, y_B: 6, should be 5"));
+                 u"triangle 0, column 4, y_B: 6, should be 5"_s);
         QCOMPARE(first("triangle 1\ncolumn 63 1 2\n"),
-                 QStringLiteral("triangle 1, column 63 is there, should not be"));
+                 u"triangle 1, column 63 is there, should not be"_s);
     }
 
     void aTriangleThatIsNotThereIsTold()
     {
         const QStringList lines = columns(Arithmetic::Exact);
-        const QString named
-            = QStringLiteral("triangle 1 is named, the scene has 1, counted from 0");
+        const QString named = u"triangle 1 is named, the scene has 1, counted from 0"_s;
 
         QCOMPARE(differenceOf(QStringList{"triangle 0"} + lines), QString());
         QCOMPARE(differenceOf(lines + QStringList{"triangle 1"}), named);
         QCOMPARE(differenceOf({"triangle 1"}), named);
         QCOMPARE(differenceOf({"triangle 7", "column 4 5 5"}),
-                 QStringLiteral("triangle 7, column 4 is there, should not be"));
+                 u"triangle 7, column 4 is there, should not be"_s);
     }
 
     void linesBeyondTheFrameAreCountedAndNotKept()
@@ -292,9 +288,9 @@ private slots:
         QVERIFY(written->kinds.hasPixels && written->kinds.hasColumns && written->kinds.hasRows);
         const std::vector<WrittenNumber> numbers = written->numbersOf(written->lines[1]);
         QCOMPARE(numbers.size(), 2U);
-        QCOMPARE(numbers[1].text, QStringLiteral("2.5"));
+        QCOMPARE(numbers[1].text, u"2.5"_s);
         // The pixel itself is ignored, but it shows that pixels are printed.
-        QVERIFY(differenceOf({"pixel 64 0 1 2 3"}).endsWith(QStringLiteral(" is missing")));
+        QVERIFY(differenceOf({"pixel 64 0 1 2 3"}).endsWith(u" is missing"_s));
     }
 
     /// Exact products of Python's fractions have many digits; these are 2 and 2 + 10⁻²⁰.
@@ -368,9 +364,8 @@ private:
             const SpanRecord span = run->trace->span(i);
             if (which == Spans::Drawn && span.drawnSamples() == 0)
                 continue;
-            lines += QStringLiteral("%1 %2 %3 %4")
-                         .arg(span.place.axis == SpanAxis::Column ? QStringLiteral("column")
-                                                                  : QStringLiteral("row"))
+            lines += u"%1 %2 %3 %4"_s
+                         .arg(span.place.axis == SpanAxis::Column ? u"column"_s : u"row"_s)
                          .arg(span.place.coordinate)
                          .arg(span.lower.toDouble(), 0, 'g', 6)
                          .arg(span.upper.toDouble(), 0, 'g', 9);
@@ -387,8 +382,7 @@ private:
         };
         for (std::size_t i = 0; i < run->trace->spanCount(); ++i) {
             const SpanRecord span = run->trace->span(i);
-            lines += QStringLiteral("column %1 %2 %3")
-                         .arg(span.place.coordinate)
+            lines += u"column %1 %2 %3"_s.arg(span.place.coordinate)
                          .arg(text(span.lower), text(span.upper));
         }
         return lines;
@@ -454,8 +448,7 @@ private:
         const auto &below = isAcrossBelow ? across : along;
         const auto &above = isAcrossBelow ? along : across;
         const float height = above[0].value - below[0].value;
-        QStringList lines = {QStringLiteral("column %1 %2 %3")
-                                 .arg(x)
+        QStringList lines = {u"column %1 %2 %3"_s.arg(x)
                                  .arg(double(below[0].value), 0, 'g', 9)
                                  .arg(double(above[0].value), 0, 'g', 9)};
         const float start = std::ceil(below[0].value);
@@ -466,7 +459,7 @@ private:
             levels[i] = below[i + 1].value + (start - below[0].value) * steps[i];
         }
         for (float y = start; y <= above[0].value; ++y) {
-            QString line = QStringLiteral("pixel %1 %2").arg(x).arg(std::int64_t(y));
+            QString line = u"pixel %1 %2"_s.arg(x).arg(std::int64_t(y));
             for (std::size_t i = 0; i < 3; ++i) {
                 line += u' '
                     + (form == Form::Bytes ? QString::number(
@@ -487,7 +480,7 @@ private:
         QStringList lines;
         for (std::size_t i = 0; i < run->trace->spanCount(); ++i) {
             for (const SampleRecord &sample : run->trace->samples(i)) {
-                QString line = QStringLiteral("pixel %1 %2").arg(sample.x).arg(sample.y);
+                QString line = u"pixel %1 %2"_s.arg(sample.x).arg(sample.y);
                 for (std::size_t channel = 0; channel < 3; ++channel)
                     line += u' '
                         + (form == Form::Bytes

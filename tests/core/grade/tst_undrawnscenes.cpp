@@ -12,17 +12,14 @@ using namespace pixelplumb;
 
 namespace {
 
-PictureSource rightSource()
-{
-    return sourceOf(Contender{methodNamed(QStringLiteral("column-scan")), {}});
-}
+PictureSource rightSource() { return sourceOf(Contender{methodNamed(u"column-scan"_s), {}}); }
 
 /// Draws right, but not where two triangles share an edge.
 PictureSource failingOnTwo()
 {
-    return {QStringLiteral("careless"), [right = rightSource()](const Scene &scene) {
+    return {u"careless"_s, [right = rightSource()](const Scene &scene) {
                 if (scene.triangles.size() > 1)
-                    return Result<Picture>(InputError{{}, QStringLiteral("gave up"), {}});
+                    return Result<Picture>(InputError{{}, u"gave up"_s, {}});
                 return right.draw(scene);
             }};
 }
@@ -42,17 +39,16 @@ private slots:
         QVERIFY(search.compared > 0);
         QVERIFY(search.undrawn > 0);
         QCOMPARE(search.firstUndrawn->scene.triangles.size(), std::size_t(2));
-        QCOMPARE(search.firstUndrawn->source, QStringLiteral("careless"));
-        QCOMPARE(search.firstUndrawn->why.message(), QStringLiteral("gave up"));
+        QCOMPARE(search.firstUndrawn->source, u"careless"_s);
+        QCOMPARE(search.firstUndrawn->why.message(), u"gave up"_s);
     }
 
     void whoDrawsNothingIsNotCalledRight()
     {
-        const PictureSource nobody{
-            QStringLiteral("nobody"), [](const Scene &) {
-                return Result<Picture>(InputError{{}, QStringLiteral("is away"), {}});
-            }};
-        const Contender right{methodNamed(QStringLiteral("column-scan")), {}};
+        const PictureSource nobody{u"nobody"_s, [](const Scene &) {
+                                       return Result<Picture>(InputError{{}, u"is away"_s, {}});
+                                   }};
+        const Contender right{methodNamed(u"column-scan"_s), {}};
         const Scene conventions;
 
         const CounterSearch search = findCounterExample(nobody, sourceOf(right), conventions, 1);
@@ -61,8 +57,8 @@ private slots:
         QVERIFY(!search.found);
         QCOMPARE(search.compared, 0);
         QCOMPARE(search.undrawn, 100); // and then it is enough
-        QCOMPARE(search.firstUndrawn->source, QStringLiteral("nobody"));
-        QCOMPARE(report.firstUndrawn->why.message(), QStringLiteral("is away"));
+        QCOMPARE(search.firstUndrawn->source, u"nobody"_s);
+        QCOMPARE(report.firstUndrawn->why.message(), u"is away"_s);
         QCOMPARE(report.checked, 0);
         QVERIFY(report.undrawn > 10);
     }
@@ -90,11 +86,11 @@ private slots:
             return Vertex{latticePixel(x, y), {{255, 0, 0}}};
         };
         scene.triangles = {{{vertex(1, 1), vertex(9, 1), vertex(4, 8)}}};
-        const Contender method{methodNamed(QStringLiteral("column-scan")), {}};
-        const auto drawn = sourceOf(QStringLiteral("culls-clockwise"), method).draw(scene);
+        const Contender method{methodNamed(u"column-scan"_s), {}};
+        const auto drawn = sourceOf(u"culls-clockwise"_s, method).draw(scene);
         QVERIFY(drawn);
         QCOMPARE(*drawn, *rightSource().draw(scene));
-        QVERIFY(*sourceOf(QStringLiteral("culls-counter-clockwise"), method).draw(scene) != *drawn);
+        QVERIFY(*sourceOf(u"culls-counter-clockwise"_s, method).draw(scene) != *drawn);
     }
 };
 

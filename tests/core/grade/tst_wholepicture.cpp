@@ -25,8 +25,7 @@ std::vector<Scene> probes()
 {
     std::vector<Scene> scenes;
     for (int i = 1; i <= 3; ++i)
-        scenes.push_back(
-            readSceneFile(resource(QStringLiteral("/probes/column-scan-%1.json")).arg(i))->scene);
+        scenes.push_back(readSceneFile(resource(u"/probes/column-scan-%1.json"_s).arg(i))->scene);
     return scenes;
 }
 
@@ -162,12 +161,10 @@ private slots:
                     QTest::addRow("%s, %d × %d", qPrintable(id), size.width(), size.height())
                         << size << addressOf << fromTop << id;
                 };
-                const QString end = QStringLiteral("-from-the-%1-on").arg(QLatin1String(from));
-                row(QStringLiteral("rows-stored-as-far-apart-as-columns-are-high") + end, byHeight);
-                row(QStringLiteral("columns-stored-in-place-of-rows") + end, byColumns);
-                row(fromTop ? QStringLiteral("lines-and-columns-exchanged")
-                            : QStringLiteral("x-and-y-exchanged"),
-                    exchanged);
+                const QString end = u"-from-the-%1-on"_s.arg(QLatin1String(from));
+                row(u"rows-stored-as-far-apart-as-columns-are-high"_s + end, byHeight);
+                row(u"columns-stored-in-place-of-rows"_s + end, byColumns);
+                row(fromTop ? u"lines-and-columns-exchanged"_s : u"x-and-y-exchanged"_s, exchanged);
             }
         }
     }
@@ -249,7 +246,7 @@ private slots:
         QVERIFY(diagnosis && diagnosis->isExplained());
         QStringList named;
         for (const DiagnosisCandidate &candidate : diagnosis->candidates)
-            named += candidate.ids().join(QStringLiteral(" and "));
+            named += candidate.ids().join(u" and "_s);
         QCOMPARE(named, QStringList{ids});
     }
 
@@ -348,8 +345,7 @@ private slots:
         QCOMPARE(diagnosis->candidates.front().ids(), ids);
         const PictureDiff diff
             = differenceOf(pictureOf(submissions.front().scene), submissions.front().picture);
-        QCOMPARE(diff.causes.front().name,
-                 QStringLiteral("drawn on (64, 64, 64) in place of black"));
+        QCOMPARE(diff.causes.front().name, u"drawn on (64, 64, 64) in place of black"_s);
     }
 
     /// The order of scenes with different backgrounds does not matter.
@@ -369,30 +365,25 @@ private slots:
 
         QVERIFY(diagnosis && !diagnosis->candidates.empty());
         QCOMPARE(diagnosis->candidates.front().sentences(&Defect::forAssistant),
-                 QStringList(QStringLiteral("Done to the whole picture: drawn on (192, 128, 0) in "
-                                            "place of black or (64, 64, 64).")));
+                 QStringList(u"Done to the whole picture: drawn on (192, 128, 0) in "
+                             "place of black or (64, 64, 64)."_s));
     }
 
     void anEnlargedPictureIsSaidToBeOne()
     {
-        QCOMPARE(sizeHint({512, 384}, {64, 48}),
-                 QStringLiteral(", 8 times as many each way, as if enlarged"));
+        QCOMPARE(sizeHint({512, 384}, {64, 48}), u", 8 times as many each way, as if enlarged"_s);
         for (const QSize other : {QSize(64, 48), QSize(128, 48), QSize(100, 75), QSize(32, 24)})
             QCOMPARE(sizeHint(other, {64, 48}), QString());
-        QCOMPARE(sizeHint({48, 64}, {64, 48}),
-                 QStringLiteral(", as if width and height were exchanged"));
+        QCOMPARE(sizeHint({48, 64}, {64, 48}), u", as if width and height were exchanged"_s);
         QCOMPARE(sizeHint({48, 48}, {48, 48}), QString());
 
         QTemporaryDir folder;
-        const QString small = folder.filePath(QStringLiteral("small.png"));
-        const QString large = folder.filePath(QStringLiteral("large.png"));
-        const QString scene = resource(QStringLiteral("/probes/column-scan-1.json"));
-        QCOMPARE(run({QStringLiteral("render"), scene, QStringLiteral("-o"), small}).exitCode, 0);
-        QCOMPARE(run({QStringLiteral("render"), scene, QStringLiteral("--scale"),
-                      QStringLiteral("3"), QStringLiteral("-o"), large})
-                     .exitCode,
-                 0);
-        const ProgramRun result = run({QStringLiteral("diff"), small, large});
+        const QString small = folder.filePath(u"small.png"_s);
+        const QString large = folder.filePath(u"large.png"_s);
+        const QString scene = resource(u"/probes/column-scan-1.json"_s);
+        QCOMPARE(run({u"render"_s, scene, u"-o"_s, small}).exitCode, 0);
+        QCOMPARE(run({u"render"_s, scene, u"--scale"_s, u"3"_s, u"-o"_s, large}).exitCode, 0);
+        const ProgramRun result = run({u"diff"_s, small, large});
         QCOMPARE(result.exitCode, 3);
         QVERIFY2(result.messages.contains("3 times as many each way, as if enlarged"),
                  result.messages.constData());

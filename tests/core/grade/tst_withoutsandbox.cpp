@@ -30,9 +30,9 @@ enum class Tools { All, None };
 QProcessEnvironment environment(const QString &temporary, Tools tools)
 {
     QProcessEnvironment result = QProcessEnvironment::systemEnvironment();
-    result.insert(QStringLiteral("TMPDIR"), temporary);
+    result.insert(u"TMPDIR"_s, temporary);
     if (tools == Tools::None)
-        result.insert(QStringLiteral("PATH"), QStringLiteral("/nowhere"));
+        result.insert(u"PATH"_s, u"/nowhere"_s);
     return result;
 }
 
@@ -65,15 +65,15 @@ private slots:
     /// A bwrap found by a relative path could be the program's own.
     void noSandboxIsTakenFromARelativePlace()
     {
-        const QString taken = m_folder->filePath(QStringLiteral("taken"));
-        QFile bwrap(m_folder->filePath(QStringLiteral("bwrap")));
+        const QString taken = m_folder->filePath(u"taken"_s);
+        QFile bwrap(m_folder->filePath(u"bwrap"_s));
         QVERIFY(bwrap.open(QIODevice::WriteOnly));
         bwrap.write("#!/bin/sh\necho x > '" + QFile::encodeName(taken) + "'\n");
         bwrap.close();
         bwrap.setPermissions(QFile::ReadOwner | QFile::WriteOwner | QFile::ExeOwner);
         QProcess process;
         QProcessEnvironment relative = environment(QDir::tempPath(), Tools::None);
-        relative.insert(QStringLiteral("PATH"), QStringLiteral(".:/nowhere"));
+        relative.insert(u"PATH"_s, u".:/nowhere"_s);
         process.setProcessEnvironment(relative);
         process.setWorkingDirectory(m_folder->path());
         process.start(program(), {"try", "--scene", defaultScene(), "/bin/true"});
@@ -87,7 +87,7 @@ private slots:
     {
         QTest::addColumn<QStringList>("arguments");
         const QString scene = defaultScene();
-        const QString nothing = QStringLiteral("program:/bin/true");
+        const QString nothing = u"program:/bin/true"_s;
         QTest::newRow("try") << QStringList{"try", "--scene", scene, "/bin/true"};
         QTest::newRow("counterexample") << QStringList{"counterexample", "column-scan", nothing};
         QTest::newRow("invariants") << QStringList{"invariants", nothing};
@@ -112,8 +112,8 @@ private slots:
         QVERIFY(runWithout(tried).output.contains(said));
         const QJsonObject report
             = QJsonDocument::fromJson(runWithout(tried + QStringList{"--json"}).output).object();
-        QVERIFY(report[QStringLiteral("right")].toBool());
-        QVERIFY(report[QStringLiteral("noSandbox")].toString().startsWith(QLatin1String(said)));
+        QVERIFY(report[u"right"_s].toBool());
+        QVERIFY(report[u"noSandbox"_s].toString().startsWith(QLatin1String(said)));
 
         QVERIFY(writeTo(path("column.txt"), "#\n"));
         const QStringList asked{"counterexample", "column-scan", "--json",
@@ -140,18 +140,17 @@ private slots:
 
         QCOMPARE(text.exitCode, 0);
         QVERIFY2(text.output.contains("1 submission ran in no sandbox"), text.output.constData());
-        QVERIFY(
-            QJsonDocument::fromJson(json.output)[QStringLiteral("noSandbox")].toString().contains(
-                QLatin1String(said)));
+        QVERIFY(QJsonDocument::fromJson(json.output)[u"noSandbox"_s].toString().contains(
+            QLatin1String(said)));
         const auto files = filesIn(path("text"));
         for (const char *name : {"results.json", "index.html", "junit.xml"})
             QVERIFY2(files[QLatin1String(name)].contains(said), name);
-        QVERIFY(files[QStringLiteral("grades.csv")].contains(",sandbox,reason"));
-        QVERIFY(files[QStringLiteral("grades.csv")].contains(",no,")); // and no reason
+        QVERIFY(files[u"grades.csv"_s].contains(",sandbox,reason"));
+        QVERIFY(files[u"grades.csv"_s].contains(",no,")); // and no reason
         int ofSubmission = 0;
         for (auto file = files.begin(); file != files.end(); ++file) {
-            const bool isOfAda = file.key().startsWith(QStringLiteral("gradescope/"))
-                || file.key().startsWith(QStringLiteral("grades/"));
+            const bool isOfAda
+                = file.key().startsWith(u"gradescope/"_s) || file.key().startsWith(u"grades/"_s);
             ofSubmission += isOfAda && file->contains("bwrap) is not installed") ? 1 : 0;
         }
         QCOMPARE(ofSubmission, 2);
@@ -162,13 +161,13 @@ private slots:
         QCOMPARE(run(graded + QStringList{path("with")}).exitCode, 0);
         for (const QByteArray &content : filesIn(path("with")))
             QVERIFY(!content.contains("no sandbox"));
-        QVERIFY(filesIn(path("with"))[QStringLiteral("grades.csv")].contains(",yes"));
+        QVERIFY(filesIn(path("with"))[u"grades.csv"_s].contains(",yes"));
     }
 
     void aSignalToAllIsRefused()
     {
         const auto student = studentProgramOf(
-            {QStringLiteral("python3"), QStringLiteral("-c"),
+            {u"python3"_s, u"-c"_s,
              QStringLiteral("import os\n" // signal 0 is sent to nobody: it only tests permission
                             "try: os.kill(-1, 0)\n"
                             "except PermissionError: print('refused')\n")});
@@ -179,15 +178,14 @@ private slots:
     void aProgramThatKillsItsSupervisorIsReportedAndEnded()
     {
         const QByteArray seconds = unusualSeconds();
-        const QString script
-            = QStringLiteral("(setsid sleep %1 &); kill -KILL $PPID; sleep %1; sleep 0.2")
-                  .arg(QString::fromLatin1(seconds));
+        const QString script = u"(setsid sleep %1 &); kill -KILL $PPID; sleep %1; sleep 0.2"_s.arg(
+            QString::fromLatin1(seconds));
         QProcess process;
-        process.setProcessEnvironment(environment(QStringLiteral("/tmp"), Tools::None));
+        process.setProcessEnvironment(environment(u"/tmp"_s, Tools::None));
         const QStringList tried{"try", "--time",  "2",  "--scene", defaultScene(),
                                 "--",  "/bin/sh", "-c", script};
         if (geteuid() == 0)
-            process.start(QStringLiteral("/usr/bin/setpriv"),
+            process.start(u"/usr/bin/setpriv"_s,
                           QStringList{"--reuid=54321", "--regid=54321", "--clear-groups", program()}
                               + tried);
         else
@@ -231,7 +229,7 @@ private slots:
             "{ \"pixelplumbAssignment\": 1, \"name\": \"one\", \"program\": { \"seconds\": 2 },"
             " \"scenes\": [ { \"name\": \"small\", \"scene\": \""
                 + QFile::encodeName(defaultScene()) + "\" } ] }"));
-        QVERIFY(QDir(m_folder->path()).mkdir(QStringLiteral("temporary")));
+        QVERIFY(QDir(m_folder->path()).mkdir(u"temporary"_s));
         chmod(QFile::encodeName(path("temporary")).constData(), 01777);
         QProcess process;
         process.setProcessEnvironment(
@@ -276,10 +274,9 @@ private slots:
     /// killed.
     void aFolderThatTakesLongToRemoveIsRemovedByItself()
     {
-        const QString script = QStringLiteral("import os\n"
-                                              "for i in range(NAME):\n"
-                                              "    os.mkdir('d'); os.chdir('d')\n")
-                                   .replace(QStringLiteral("NAME"), QStringLiteral("3000"));
+        const QString script = u"import os\n"
+                               "for i in range(NAME):\n"
+                               "    os.mkdir('d'); os.chdir('d')\n"_s.replace(u"NAME"_s, u"3000"_s);
         const ProgramRun tried
             = runWithout({"try", "--scene", defaultScene(), "--", "python3", "-c", script});
 
@@ -292,7 +289,7 @@ private slots:
         const QString left = path("pixelplumb-program-AAAAAA");
         const QString young = path("pixelplumb-program-BBBBBB");
         QVERIFY(writeTo(left + "/deep/file", "x") && writeTo(young + "/file", "x"));
-        QVERIFY(QFile::link(QStringLiteral("/etc"), left + "/deep/link"));
+        QVERIFY(QFile::link(u"/etc"_s, left + "/deep/link"));
         const utimbuf hourAgo = {time(nullptr) - 3600, time(nullptr) - 3600};
         utime(QFile::encodeName(left).constData(), &hourAgo);
         QProcess process;
@@ -303,7 +300,7 @@ private slots:
         QVERIFY(process.waitForFinished(60'000));
         QVERIFY(!QFileInfo::exists(left));
         QVERIFY(QFileInfo::exists(young)); // some process may just have created it
-        QVERIFY(QFileInfo::exists(QStringLiteral("/etc/passwd")));
+        QVERIFY(QFileInfo::exists(u"/etc/passwd"_s));
     }
 
 private:

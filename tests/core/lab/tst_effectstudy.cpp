@@ -38,7 +38,7 @@ private slots:
         const double four = row("antialiasing", "4 samples").rms;
         const double sixteen = row("antialiasing", "16 samples").rms;
         QVERIFY2(one > 2 * four && four > sixteen && sixteen > 0,
-                 qPrintable(QStringLiteral("%1, %2, %3").arg(one).arg(four).arg(sixteen)));
+                 qPrintable(u"%1, %2, %3"_s.arg(one).arg(four).arg(sixteen)));
         QCOMPARE(row("antialiasing", "exact area").rms, 0.0);
         QCOMPARE(row("antialiasing", "exact area").wrongPixels, 0);
     }
@@ -75,8 +75,7 @@ private slots:
     {
         int seen = 0;
         for (const EffectRow &each : m_rows) {
-            if (each.group != QStringLiteral("neutral effects")
-                || each.arithmetic != Arithmetic::Exact)
+            if (each.group != u"neutral effects"_s || each.arithmetic != Arithmetic::Exact)
                 continue;
             QVERIFY2(each.wrongPixels == 0, qPrintable(each.way));
             ++seen;
@@ -86,7 +85,7 @@ private slots:
 
     void aLineOfOnePixelAColumnIsDarkestAt45Degrees()
     {
-        const auto range = brightnessRangeOf(m_rows, QStringLiteral("lines, Bresenham"));
+        const auto range = brightnessRangeOf(m_rows, u"lines, Bresenham"_s);
         QVERIFY(range);
         QCOMPARE(range->greatest, 1.0);
         QCOMPARE(range->greatest / range->least, std::sqrt(2.0));
@@ -95,7 +94,7 @@ private slots:
 
     void aLineByItsAreaIsEquallyBrightInEveryDirection()
     {
-        const QString group = QStringLiteral("lines, exact area");
+        const QString group = u"lines, exact area"_s;
         const auto range = brightnessRangeOf(m_rows, group);
         QVERIFY(range);
         std::int64_t most = 0;
@@ -108,7 +107,7 @@ private slots:
         constexpr double length = 60;
         const double bound = 1.5 * double(most) * 0.5 / 255 / (length - 1) + std::exp2(-15.5);
         QVERIFY2(range->least > 1 - bound && range->greatest < 1 + bound,
-                 qPrintable(QStringLiteral("%1 to %2").arg(range->least).arg(range->greatest)));
+                 qPrintable(u"%1 to %2"_s.arg(range->least).arg(range->greatest)));
         QVERIFY(bound < 0.05);
         QCOMPARE(row("lines, exact area", "30°").wrongPixels, 0);
     }
@@ -164,7 +163,7 @@ private slots:
         QVERIFY(!kernel.isTooSlow());
         kernel.timesFirst = Spread{1, 1.31, 2};
         QVERIFY(kernel.isTooSlow());
-        kernel.group = QStringLiteral("antialiasing");
+        kernel.group = u"antialiasing"_s;
         QVERIFY(!kernel.isTooSlow());
     }
 

@@ -22,7 +22,7 @@ LabContender named(const char *id) { return *labContenderNamed(QString::fromLati
 LabFamily familyOf(const FrameSpec &frame, std::vector<Triangle> triangles)
 {
     LabFamily family;
-    family.id = QStringLiteral("made");
+    family.id = u"made"_s;
     family.pictures = {{frame, std::move(triangles), {}}};
     return family;
 }
@@ -100,9 +100,9 @@ private slots:
     void countsOnTheWholeLatticeAreThoseOfSamplesJudgedOneByOne_data()
     {
         QTest::addColumn<QString>("id");
-        QTest::newRow("float32") << QStringLiteral("column-scan:float32");
-        QTest::newRow("float64") << QStringLiteral("row-walk:float64");
-        QTest::newRow("exact") << QStringLiteral("barycentric-rectangle:exact");
+        QTest::newRow("float32") << u"column-scan:float32"_s;
+        QTest::newRow("float64") << u"row-walk:float64"_s;
+        QTest::newRow("exact") << u"barycentric-rectangle:exact"_s;
     }
     void countsOnTheWholeLatticeAreThoseOfSamplesJudgedOneByOne()
     {
@@ -196,18 +196,15 @@ private slots:
         QTest::addColumn<QString>("id");
         QTest::addColumn<double>("least");
         QTest::addColumn<double>("most");
-        QTest::newRow("column scan, exact") << QStringLiteral("column-scan:exact") << 0.0 << 0.0;
-        QTest::newRow("row walk, exact") << QStringLiteral("row-walk:exact") << 0.0 << 0.0;
-        QTest::newRow("barycentric, exact")
-            << QStringLiteral("barycentric-incremental:exact") << 0.0 << 0.0;
-        QTest::newRow("interpolated, exact")
-            << QStringLiteral("interpolate-plane:exact") << 0.0 << 0.0;
-        QTest::newRow("row walk, float32") << QStringLiteral("row-walk:float32") << 1e-6 << 0.1;
-        QTest::newRow("column scan, float64")
-            << QStringLiteral("column-scan:float64") << 1e-15 << 1e-9;
-        QTest::newRow("bias") << QStringLiteral("column-scan-bias:float64") << 1e-15 << 1e-11;
-        QTest::newRow("16.16") << QStringLiteral("column-scan:fixed16.16") << 1e-5 << 0.5;
-        QTest::newRow("relative") << QStringLiteral("barycentric-relative:float32") << 1e-7 << 1e-3;
+        QTest::newRow("column scan, exact") << u"column-scan:exact"_s << 0.0 << 0.0;
+        QTest::newRow("row walk, exact") << u"row-walk:exact"_s << 0.0 << 0.0;
+        QTest::newRow("barycentric, exact") << u"barycentric-incremental:exact"_s << 0.0 << 0.0;
+        QTest::newRow("interpolated, exact") << u"interpolate-plane:exact"_s << 0.0 << 0.0;
+        QTest::newRow("row walk, float32") << u"row-walk:float32"_s << 1e-6 << 0.1;
+        QTest::newRow("column scan, float64") << u"column-scan:float64"_s << 1e-15 << 1e-9;
+        QTest::newRow("bias") << u"column-scan-bias:float64"_s << 1e-15 << 1e-11;
+        QTest::newRow("16.16") << u"column-scan:fixed16.16"_s << 1e-5 << 0.5;
+        QTest::newRow("relative") << u"barycentric-relative:float32"_s << 1e-7 << 1e-3;
     }
     void exactNumbersHaveNoErrorBeforeRoundingAndFloatsHave()
     {
@@ -271,9 +268,9 @@ private slots:
     {
         QTest::addColumn<QString>("id");
         QTest::addColumn<double>("share");
-        QTest::newRow("float32") << QStringLiteral("column-scan:float32") << 0.934;
-        QTest::newRow("float64") << QStringLiteral("column-scan:float64") << 0.501;
-        QTest::newRow("bias") << QStringLiteral("column-scan-bias:float64") << 0.0;
+        QTest::newRow("float32") << u"column-scan:float32"_s << 0.934;
+        QTest::newRow("float64") << u"column-scan:float64"_s << 0.501;
+        QTest::newRow("bias") << u"column-scan-bias:float64"_s << 0.0;
     }
     void sharesOfWrongTrianglesAreThoseOfTheTables()
     {

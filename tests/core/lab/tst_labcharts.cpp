@@ -34,14 +34,14 @@ Study studyOf(const std::vector<MadeRow> &made)
 {
     Study study;
     StudyFamily family;
-    family.id = QStringLiteral("f");
+    family.id = u"f"_s;
     family.triangles = 100;
     family.timedTriangles = 10;
     family.timedPixels = 1000;
     study.families = {family};
     for (const MadeRow &row : made) {
         const QString id = QString::fromLatin1(row.contender);
-        study.contenders.push_back({id, id, kernelOf(id), row.isProved, QStringLiteral("all"), {}});
+        study.contenders.push_back({id, id, kernelOf(id), row.isProved, u"all"_s, {}});
         LabRow measured;
         measured.contender = id;
         measured.family = family.id;
@@ -84,8 +84,7 @@ class TestLabCharts : public QObject {
 private slots:
     void theFrontierHoldsUnbeatenContenders()
     {
-        const ParetoChart chart
-            = paretoOf(exampleStudy(), QStringLiteral("f"), *errorAxisNamed("wrong-pixels"));
+        const ParetoChart chart = paretoOf(exampleStudy(), u"f"_s, *errorAxisNamed("wrong-pixels"));
 
         QCOMPARE(chart.points.size(), std::size_t(6));
         QCOMPARE(frontierOf(chart), (QStringList{"cheap", "lucky", "proved"}));
@@ -93,8 +92,7 @@ private slots:
 
     void theStaircaseGoesRightAndThenDown()
     {
-        const ParetoChart chart
-            = paretoOf(exampleStudy(), QStringLiteral("f"), *errorAxisNamed("wrong-pixels"));
+        const ParetoChart chart = paretoOf(exampleStudy(), u"f"_s, *errorAxisNamed("wrong-pixels"));
 
         const std::vector<StaircaseCorner> expected = {{1.0, ErrorClass::Positive, 100},
                                                        {1.5, ErrorClass::Positive, 100},
@@ -112,7 +110,7 @@ private slots:
                                                     {"wrong:fast", 0.2, 50, 1},
                                                     {"proved:fast", 0.1, 0, 0, true},
                                                     {"lucky:fast", 0.05, 0, 0}}),
-                                           QStringLiteral("f"), *errorAxisNamed("wrong-pixels"));
+                                           u"f"_s, *errorAxisNamed("wrong-pixels"));
 
         QCOMPARE(frontierOf(chart), (QStringList{"cheap", "proved"}));
         QCOMPARE(frontierOf(chart, LabKernel::Fast), (QStringList{"lucky:fast", "proved:fast"}));
@@ -130,20 +128,18 @@ private slots:
         study.rows[2].cost->rounds = 0;
         study.rows[3].accuracy.reset();
 
-        const ParetoChart chart
-            = paretoOf(study, QStringLiteral("f"), *errorAxisNamed("wrong-pixels"));
+        const ParetoChart chart = paretoOf(study, u"f"_s, *errorAxisNamed("wrong-pixels"));
 
         QCOMPARE(chart.points.size(), std::size_t(3));
         QCOMPARE(chart.untimed.size(), std::size_t(2));
-        QCOMPARE(chart.untimed[0].contender, QStringLiteral("cheap"));
+        QCOMPARE(chart.untimed[0].contender, u"cheap"_s);
         QCOMPARE(chart.untimed[0].error, 100.0);
         QVERIFY(chart.untimed[1].errorClass == ErrorClass::ZeroObserved);
     }
 
     void timesNameTheirMethodAndZerosTheirProof()
     {
-        const ParetoChart chart
-            = paretoOf(exampleStudy(), QStringLiteral("f"), *errorAxisNamed("wrong-pixels"));
+        const ParetoChart chart = paretoOf(exampleStudy(), u"f"_s, *errorAxisNamed("wrong-pixels"));
 
         QCOMPARE(chart.points[0].timesReference, std::optional(1.0));
         QCOMPARE(chart.points[3].timesReference, std::optional(1.5));
@@ -156,8 +152,8 @@ private slots:
     void chartsOfNothingAndOfOnePointStand()
     {
         const ErrorAxis &axis = *errorAxisNamed("wrong-pixels");
-        const ParetoChart nothing = paretoOf(Study(), QStringLiteral("f"), axis);
-        const ParetoChart one = paretoOf(studyOf({{"only", 1, 3, 1}}), QStringLiteral("f"), axis);
+        const ParetoChart nothing = paretoOf(Study(), u"f"_s, axis);
+        const ParetoChart one = paretoOf(studyOf({{"only", 1, 3, 1}}), u"f"_s, axis);
 
         QVERIFY(nothing.points.empty() && nothing.staircase(LabKernel::Plain).empty());
         QCOMPARE(one.staircase(LabKernel::Plain).size(), std::size_t(1));
@@ -166,8 +162,7 @@ private slots:
 
     void anAxisWithoutAFigureHasNoPoints()
     {
-        QVERIFY(paretoOf(exampleStudy(), QStringLiteral("f"), *errorAxisNamed("level-max"))
-                    .points.empty());
+        QVERIFY(paretoOf(exampleStudy(), u"f"_s, *errorAxisNamed("level-max")).points.empty());
         QVERIFY(!errorAxisNamed("no such axis"));
     }
 
@@ -176,10 +171,10 @@ private slots:
         QTest::addColumn<QByteArray>("budget");
         QTest::addColumn<QString>("contender");
         QTest::addColumn<bool>("byProof");
-        QTest::newRow("exact") << QByteArray("exact") << QStringLiteral("proved") << true;
-        QTest::newRow("1-level") << QByteArray("1-level") << QStringLiteral("lucky") << false;
-        QTest::newRow("10-ppm") << QByteArray("10-ppm") << QStringLiteral("lucky") << false;
-        QTest::newRow("16-ms") << QByteArray("16-ms") << QStringLiteral("lucky") << false;
+        QTest::newRow("exact") << QByteArray("exact") << u"proved"_s << true;
+        QTest::newRow("1-level") << QByteArray("1-level") << u"lucky"_s << false;
+        QTest::newRow("10-ppm") << QByteArray("10-ppm") << u"lucky"_s << false;
+        QTest::newRow("16-ms") << QByteArray("16-ms") << u"lucky"_s << false;
     }
     void aBudgetNamesTheCheapestThatMeetsIt()
     {
@@ -188,24 +183,23 @@ private slots:
         QFETCH(const bool, byProof);
 
         const BudgetAnswer answer
-            = cheapestFor(*budgetNamed(budget.toStdString()), exampleStudy(), QStringLiteral("f"));
+            = cheapestFor(*budgetNamed(budget.toStdString()), exampleStudy(), u"f"_s);
 
         QCOMPARE(answer.contender, contender);
         QCOMPARE(answer.ground == BudgetGround::Proof, byProof);
-        QVERIFY2(answer.reason.contains(byProof ? QStringLiteral("proved for all")
-                                                : QStringLiteral("0 wrong of 1000000 pixels")),
-                 qPrintable(answer.reason));
+        QVERIFY2(
+            answer.reason.contains(byProof ? u"proved for all"_s : u"0 wrong of 1000000 pixels"_s),
+            qPrintable(answer.reason));
     }
 
     void aTimeIsNeverProved()
     {
         Study study = exampleStudy();
-        std::erase_if(study.rows,
-                      [](const LabRow &row) { return row.contender != QStringLiteral("proved"); });
+        std::erase_if(study.rows, [](const LabRow &row) { return row.contender != u"proved"_s; });
 
-        const auto answer = cheapestFor(Budget::SixteenMilliseconds, study, QStringLiteral("f"));
+        const auto answer = cheapestFor(Budget::SixteenMilliseconds, study, u"f"_s);
 
-        QCOMPARE(answer.contender, QStringLiteral("proved"));
+        QCOMPARE(answer.contender, u"proved"_s);
         QCOMPARE(answer.ground, BudgetGround::Measurement);
     }
 
@@ -213,7 +207,7 @@ private slots:
     {
         const Study study = studyOf({{"wrong", 1, 500, 9}});
 
-        const BudgetAnswer answer = cheapestFor(Budget::Exact, study, QStringLiteral("f"));
+        const BudgetAnswer answer = cheapestFor(Budget::Exact, study, u"f"_s);
 
         QCOMPARE(answer.ground, BudgetGround::Nobody);
         QVERIFY(answer.contender.isEmpty());
@@ -226,12 +220,11 @@ private slots:
         Study none = study;
         none.rows.erase(none.rows.begin());
 
-        QCOMPARE(cheapestFor(Budget::Exact, study, QStringLiteral("f")).contender,
-                 QStringLiteral("slow"));
-        const BudgetAnswer answer = cheapestFor(Budget::Exact, none, QStringLiteral("f"));
-        QCOMPARE(answer.contender, QStringLiteral("untimed"));
-        QVERIFY2(answer.reason.contains(QStringLiteral("not timed")), qPrintable(answer.reason));
-        QCOMPARE(cheapestFor(Budget::SixteenMilliseconds, none, QStringLiteral("f")).ground,
+        QCOMPARE(cheapestFor(Budget::Exact, study, u"f"_s).contender, u"slow"_s);
+        const BudgetAnswer answer = cheapestFor(Budget::Exact, none, u"f"_s);
+        QCOMPARE(answer.contender, u"untimed"_s);
+        QVERIFY2(answer.reason.contains(u"not timed"_s), qPrintable(answer.reason));
+        QCOMPARE(cheapestFor(Budget::SixteenMilliseconds, none, u"f"_s).ground,
                  BudgetGround::Nobody);
     }
 
@@ -240,8 +233,7 @@ private slots:
         // 1,000 px from a tenth of the triangles: 10,000 px a frame, 20 ms at 2,000 ns each.
         const Study study = studyOf({{"slow", 2000, 0, 0, true}, {"quick", 1000, 900, 9}});
 
-        QCOMPARE(cheapestFor(Budget::SixteenMilliseconds, study, QStringLiteral("f")).contender,
-                 QStringLiteral("quick"));
+        QCOMPARE(cheapestFor(Budget::SixteenMilliseconds, study, u"f"_s).contender, u"quick"_s);
     }
 
     void aFitFindsWhatTimesWereMadeOf()
@@ -289,7 +281,7 @@ private slots:
 
     void theManualPrintsTheOrder()
     {
-        QFile manual(resource(QStringLiteral("/man/pixelplumb-cli.1.in")));
+        QFile manual(resource(u"/man/pixelplumb-cli.1.in"_s));
         QVERIFY(manual.open(QIODevice::ReadOnly));
         QStringList printed;
         for (const QByteArray &line : manual.readAll().split('\n')) {
@@ -298,8 +290,7 @@ private slots:
         }
         QStringList order;
         for (const CostOrderEntry &entry : costOrder()) {
-            order << QStringLiteral("%1 Ta %2")
-                         .arg(QLatin1String(entry.contender))
+            order << u"%1 Ta %2"_s.arg(QLatin1String(entry.contender))
                          .arg(entry.nanosecondsPerPixel, 0, 'f', 1);
         }
         QCOMPARE(printed, order);

@@ -17,9 +17,9 @@ const Study &measuredStudy()
     static const Study study = [] {
         StudySettings settings;
         settings.ownScene = std::make_shared<const Scene>(defaultSceneIn(Arithmetic::Exact, 2));
-        settings.families = {QStringLiteral("own-scene"), QStringLiteral("ties")};
-        settings.contenders = {*labContenderNamed(QStringLiteral("column-scan:float32")),
-                               *labContenderNamed(QStringLiteral("column-scan:exact:fast"))};
+        settings.families = {u"own-scene"_s, u"ties"_s};
+        settings.contenders = {*labContenderNamed(u"column-scan:float32"_s),
+                               *labContenderNamed(u"column-scan:exact:fast"_s)};
         settings.rounds = 2;
         settings.longestDrawSeconds = 3600; // on any machine
         settings.seed = 18'446'744'073'709'551'615U;
@@ -66,33 +66,31 @@ private slots:
         QTest::addColumn<QByteArray>("text");
         QTest::addColumn<QString>("part");
         const QByteArray text = writeStudy(measuredStudy());
-        QTest::newRow("nothing") << QByteArray() << QStringLiteral("JSON");
-        QTest::newRow("cut short") << text.left(text.size() / 2) << QStringLiteral("line ");
-        QTest::newRow("no object") << QByteArray("[1]") << QStringLiteral("expected");
+        QTest::newRow("nothing") << QByteArray() << u"JSON"_s;
+        QTest::newRow("cut short") << text.left(text.size() / 2) << u"line "_s;
+        QTest::newRow("no object") << QByteArray("[1]") << u"expected"_s;
         QTest::newRow("another kind of file")
-            << QByteArray("{ \"pixelplumb\": 1 }") << QStringLiteral("no “pixelplumbLab”");
+            << QByteArray("{ \"pixelplumb\": 1 }") << u"no “pixelplumbLab”"_s;
         QTest::newRow("newer version")
             << replaced(text, "\"pixelplumbLab\": 4", "\"pixelplumbLab\": 7")
-            << QStringLiteral("pixelplumbLab: 7; expected 4");
+            << u"pixelplumbLab: 7; expected 4"_s;
         QTest::newRow("version of another type")
             << replaced(text, "\"pixelplumbLab\": 4", "\"pixelplumbLab\": \"1\"")
-            << QStringLiteral("expected 4");
+            << u"expected 4"_s;
         QTest::newRow("contender without its kernel")
-            << QByteArray(text).replace("            \"kernel\": \"plain\",\n", "")
-            << QStringLiteral("kernel");
+            << QByteArray(text).replace("            \"kernel\": \"plain\",\n", "") << u"kernel"_s;
         QTest::newRow("text for a number")
-            << replaced(text, "\"rounds\": 2", "\"rounds\": \"2\"") << QStringLiteral("rounds");
+            << replaced(text, "\"rounds\": 2", "\"rounds\": \"2\"") << u"rounds"_s;
         QTest::newRow("number for a flag")
             << replaced(text, "\"complete\": true", "\"complete\": 1")
-            << QStringLiteral("complete: 1; expected true or false");
+            << u"complete: 1; expected true or false"_s;
         QTest::newRow("unknown outcome")
             << replaced(text, "\"outcome\": \"measured\"", "\"outcome\": \"lost\"")
-            << QStringLiteral("expected one of pending, measured");
-        QTest::newRow("unknown key")
-            << replaced(text, "\"rounds\": 2", "\"laps\": 2") << QStringLiteral("laps");
+            << u"expected one of pending, measured"_s;
+        QTest::newRow("unknown key") << replaced(text, "\"rounds\": 2", "\"laps\": 2") << u"laps"_s;
         QTest::newRow("seed that is no number")
             << replaced(text, "\"18446744073709551615\"", "\"many\"")
-            << QStringLiteral("expected a whole number as text");
+            << u"expected a whole number as text"_s;
     }
     void faultsAreNamed()
     {

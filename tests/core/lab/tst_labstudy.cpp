@@ -30,10 +30,9 @@ StudySettings smallStudy()
 {
     StudySettings settings;
     settings.ownScene = std::make_shared<const Scene>(defaultSceneIn(Arithmetic::Exact));
-    settings.families = {QStringLiteral("own-scene")};
-    settings.contenders
-        = contendersOf({QStringLiteral("column-scan:exact"), QStringLiteral("column-scan:float32"),
-                        QStringLiteral("column-scan:exact:fast")});
+    settings.families = {u"own-scene"_s};
+    settings.contenders = contendersOf(
+        {u"column-scan:exact"_s, u"column-scan:float32"_s, u"column-scan:exact:fast"_s});
     settings.rounds = 0;
     settings.longestDrawSeconds = 3600; // on any machine
     return settings;
@@ -41,7 +40,7 @@ StudySettings smallStudy()
 
 LabContender thrower()
 {
-    LabContender contender = *labContenderNamed(QStringLiteral("row-walk:exact"));
+    LabContender contender = *labContenderNamed(u"row-walk:exact"_s);
     contender.draw = [](const Run &, FrameView) { throw std::runtime_error("out of luck"); };
     return contender;
 }
@@ -55,7 +54,7 @@ private slots:
     void sameSeedSameBytes()
     {
         StudySettings settings = smallStudy();
-        settings.families = {QStringLiteral("far"), QStringLiteral("own-scene")};
+        settings.families = {u"far"_s, u"own-scene"_s};
         settings.seed = 5;
 
         const QByteArray first = writeAccuracy(runStudy(settings));
@@ -73,10 +72,10 @@ private slots:
         StudySettings settings = smallStudy();
         settings.ownScene = nullptr;
         settings.contenders.resize(1);
-        settings.families = {QStringLiteral("ties"), QStringLiteral("far")};
+        settings.families = {u"ties"_s, u"far"_s};
 
         const Study both = runStudy(settings);
-        settings.families = {QStringLiteral("far")};
+        settings.families = {u"far"_s};
         const Study alone = runStudy(settings);
 
         QCOMPARE(both.rows.size(), std::size_t(2));
@@ -113,7 +112,7 @@ private slots:
         QVERIFY(study.isComplete);
         QCOMPARE(study.rows.size(), std::size_t(4));
         QCOMPARE(study.rows[0].outcome, LabOutcome::Failed);
-        QCOMPARE(study.rows[0].remark, QStringLiteral("out of luck"));
+        QCOMPARE(study.rows[0].remark, u"out of luck"_s);
         QVERIFY(!study.rows[0].accuracy && !study.rows[0].cost);
         QCOMPARE(study.rows[1].outcome, LabOutcome::Measured);
         QVERIFY(study.perPixel(study.rows[3]).has_value());
@@ -132,7 +131,7 @@ private slots:
         const Study study = runStudy(settings);
 
         QCOMPARE(study.rows[1].outcome, LabOutcome::TookTooLong);
-        QVERIFY2(study.rows[1].remark.contains(QStringLiteral("of 1 triangles")),
+        QVERIFY2(study.rows[1].remark.contains(u"of 1 triangles"_s),
                  qPrintable(study.rows[1].remark));
         QVERIFY(!study.rows[1].accuracy);
         QVERIFY(study.isComplete);
@@ -145,8 +144,7 @@ private slots:
         scene.frame.width = 640;
         scene.frame.height = 480;
         settings.ownScene = std::make_shared<const Scene>(scene);
-        settings.contenders = contendersOf(
-            {QStringLiteral("column-scan:exact"), QStringLiteral("barycentric-all:float32")});
+        settings.contenders = contendersOf({u"column-scan:exact"_s, u"barycentric-all:float32"_s});
         settings.mostSamples = 30'000; // nine boxes, but less than nine frames
         StudySettings slow = settings;
         slow.hangSeconds = 3600;
@@ -161,7 +159,7 @@ private slots:
 
         QCOMPARE(study.rows[0].outcome, LabOutcome::Measured);
         QCOMPARE(study.rows[1].outcome, LabOutcome::TookTooLong);
-        QVERIFY2(study.rows[1].remark.startsWith(QStringLiteral("looked at more than 30000 ")),
+        QVERIFY2(study.rows[1].remark.startsWith(u"looked at more than 30000 "_s),
                  qPrintable(study.rows[1].remark));
         QVERIFY(writeAccuracy(study) == writeAccuracy(runStudy(slow)));
     }
@@ -183,7 +181,7 @@ private slots:
         QVERIFY(!study.isComplete);
         QVERIFY(study.rows[1].accuracy.has_value());
         QCOMPARE(study.rows[2].outcome, LabOutcome::Pending);
-        QVERIFY(warningsOf(study).join(u'\n').contains(QStringLiteral("was ended before")));
+        QVERIFY(warningsOf(study).join(u'\n').contains(u"was ended before"_s));
     }
 
     void aStudyThatIsEndedWhileItTimesKeepsItsRounds()
@@ -201,7 +199,7 @@ private slots:
         QCOMPARE(study.rounds, 1);
         QCOMPARE(study.rows[0].cost->rounds, 1);
         QCOMPARE(study.rows[1].cost->rounds, 2); // the second round begins with this draw
-        QVERIFY(warningsOf(study).join(u'\n').contains(QStringLiteral("Only 1 rounds")));
+        QVERIFY(warningsOf(study).join(u'\n').contains(u"Only 1 rounds"_s));
     }
 
     void eachRoundIsReportedImmediatelyWithItsNumber()
@@ -230,7 +228,7 @@ private slots:
     void theProgressOfAWholeStudyIsOneScale()
     {
         StudySettings settings = smallStudy();
-        settings.families << QStringLiteral("ties");
+        settings.families << u"ties"_s;
         settings.rounds = 2;
         std::vector<JobProgress> told;
         StudyListener listener;
@@ -253,7 +251,7 @@ private slots:
     void aFamilyIsTimedOnceAsSoonAsItIsJudged()
     {
         StudySettings settings = smallStudy();
-        settings.families = {QStringLiteral("ties"), QStringLiteral("hard-cases")};
+        settings.families = {u"ties"_s, u"hard-cases"_s};
         settings.hardCases = casesOf(testData("hard_cases.json"));
         settings.rounds = 2;
         std::vector<std::size_t> timed;
@@ -301,16 +299,15 @@ private slots:
     void straightLoopsAreTimedInTheSameRounds()
     {
         StudySettings settings = smallStudy();
-        settings.families = {QStringLiteral("far"), QStringLiteral("small"), QStringLiteral("mesh"),
-                             QStringLiteral("own-scene")};
+        settings.families = {u"far"_s, u"small"_s, u"mesh"_s, u"own-scene"_s};
         settings.rounds = 2;
 
         const Study study = runStudy(settings);
 
         int timed = 0;
         for (const LabRow &row : study.rows) {
-            const bool isPlain = row.contender != QStringLiteral("column-scan:exact:fast");
-            if (row.remark.startsWith(QStringLiteral("not timed: a draw takes")))
+            const bool isPlain = row.contender != u"column-scan:exact:fast"_s;
+            if (row.remark.startsWith(u"not timed: a draw takes"_s))
                 continue; // a build with sanitizers takes too long
             ++timed;
             QVERIFY(row.cost.has_value());
@@ -318,7 +315,7 @@ private slots:
             QCOMPARE(row.cost->timesStraight.has_value(), isPlain);
         }
         QVERIFY(timed >= 6);
-        QCOMPARE(study.family(QStringLiteral("small"))->timedTriangles, 3000);
+        QCOMPARE(study.family(u"small"_s)->timedTriangles, 3000);
     }
 
     void theCurrentSceneIsTimedAsTheStudyTimesIt()
@@ -332,10 +329,10 @@ private slots:
 
         // Three triangles on top of each other: each pixel is written three times.
         QVERIFY(cost.has_value());
-        QCOMPARE(cost->pixels, study.family(QStringLiteral("own-scene"))->timedPixels);
+        QCOMPARE(cost->pixels, study.family(u"own-scene"_s)->timedPixels);
         QCOMPARE(cost->pixels % 3, std::int64_t(0));
         QVERIFY(cost->rounds > 0);
-        QVERIFY(cost->details().contains(QStringLiteral("median of ")));
+        QVERIFY(cost->details().contains(u"median of "_s));
     }
 
     void withoutTrianglesOrWithoutPatienceThereIsNoCost()
@@ -358,8 +355,8 @@ private slots:
         QTest::addColumn<QString>("path");
         QTest::addColumn<QString>("words");
         const auto row = [](const char *name, const char *path, const char *quoted) {
-            QTest::newRow(name) << QString::fromUtf8(
-                path) << QStringLiteral("pixelplumb-cli lab ") + QString::fromUtf8(quoted);
+            QTest::newRow(name) << QString::fromUtf8(path)
+                                << u"pixelplumb-cli lab "_s + QString::fromUtf8(quoted);
         };
         row("plain", "/a/b-c_1.json", "/a/b-c_1.json");
         row("standard input", "-", "-");
@@ -379,9 +376,8 @@ private slots:
         settings.mostSamples = 1;
         settings.rounds = 0;
 
-        const QString options
-            = QStringLiteral(" --quick --seed 1 --family own-scene --contender "
-                             "column-scan:exact,column-scan:float32,column-scan:exact:fast");
+        const QString options = u" --quick --seed 1 --family own-scene --contender "
+                                "column-scan:exact,column-scan:float32,column-scan:exact:fast"_s;
         QCOMPARE(runStudy(settings).command, words.isEmpty() ? QString() : words + options);
     }
 
@@ -390,14 +386,13 @@ private slots:
         QTest::addColumn<QString>("id");
         QTest::addColumn<std::int64_t>("spans");
         constexpr std::int64_t columns = 7, rows = 5;
-        QTest::newRow("column scan") << QStringLiteral("column-scan:exact") << columns;
-        QTest::newRow("fast kernel") << QStringLiteral("column-scan:exact:fast") << columns;
-        QTest::newRow("row walk") << QStringLiteral("row-walk:float32") << rows;
-        QTest::newRow("row walk at a constant rate")
-            << QStringLiteral("row-walk-constant-rate:float32") << rows;
+        QTest::newRow("column scan") << u"column-scan:exact"_s << columns;
+        QTest::newRow("fast kernel") << u"column-scan:exact:fast"_s << columns;
+        QTest::newRow("row walk") << u"row-walk:float32"_s << rows;
+        QTest::newRow("row walk at a constant rate") << u"row-walk-constant-rate:float32"_s << rows;
         QTest::newRow("column scan at a constant rate")
-            << QStringLiteral("column-scan-constant-rate:float32") << columns;
-        QTest::newRow("nobody") << QStringLiteral("nobody:exact") << columns;
+            << u"column-scan-constant-rate:float32"_s << columns;
+        QTest::newRow("nobody") << u"nobody:exact"_s << columns;
     }
     void spansAreThoseOfTheMethod()
     {
@@ -419,9 +414,9 @@ private slots:
             QCOMPARE(found->label, contender.label);
             QVERIFY(contender.isProved() == !contender.domain().isEmpty());
         }
-        QVERIFY(!labContenderNamed(QStringLiteral("row-walk:exact:fast")));
-        QVERIFY(!labContenderNamed(QStringLiteral("line-dda:exact")));
-        QVERIFY(!labContenderNamed(QStringLiteral("column-scan")));
+        QVERIFY(!labContenderNamed(u"row-walk:exact:fast"_s));
+        QVERIFY(!labContenderNamed(u"line-dda:exact"_s));
+        QVERIFY(!labContenderNamed(u"column-scan"_s));
     }
 };
 

@@ -37,17 +37,15 @@ private slots:
     void everyMethodButTheCurvesIsCountedOnItsExample()
     {
         for (const Method &method : methods()) {
-            if (method.id == QStringLiteral("bezier-subdivision")
-                || method.id == QStringLiteral("stroke-coverage")) {
+            if (method.id == u"bezier-subdivision"_s || method.id == u"stroke-coverage"_s) {
                 QVERIFY(!isCounted(method));
                 QVERIFY(!countingGap(method, Arithmetic::Exact).isEmpty());
                 continue;
             }
             QVERIFY2(isCounted(method),
                      qPrintable(method.id
-                                + QStringLiteral(
-                                    " has no row in core/lab/counting/countedtriangles.cpp or "
-                                    "countedshapes.cpp")));
+                                + u" has no row in core/lab/counting/countedtriangles.cpp or "
+                                  "countedshapes.cpp"_s));
             for (const StandardExample &example : standardExamplesFor(method)) {
                 for (const Arithmetic arithmetic : method.arithmetics) {
                     const auto counts = countOperations(method, arithmetic, example);
@@ -82,9 +80,8 @@ private slots:
                     const auto counts
                         = countOperations(method, settings, primitives, counted.view());
                     QVERIFY2(drawn.image() == counted.image(),
-                             qPrintable(QStringLiteral("%1 in %2, %3")
-                                            .arg(name, nameText(nameOf(arithmetic)),
-                                                 nameText(nameOf(rule)))));
+                             qPrintable(u"%1 in %2, %3"_s.arg(name, nameText(nameOf(arithmetic)),
+                                                              nameText(nameOf(rule)))));
                     const OperationRow totals = counts->totals();
                     QCOMPARE(counts->total(),
                              counts->total(WorkStage::SetUp) + counts->total(WorkStage::Span)
@@ -124,7 +121,7 @@ private slots:
                          "float additions               0        1.25           2          13",
                          "all                           3        1.25           2          19"}));
         QCOMPARE(countsText(counts),
-                 QStringLiteral("2 set-ups, 4 spans, 3 pixels, 1 sample refused, 19 operations"));
+                 u"2 set-ups, 4 spans, 3 pixels, 1 sample refused, 19 operations"_s);
     }
 };
 

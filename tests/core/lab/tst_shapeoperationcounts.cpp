@@ -89,19 +89,19 @@ private slots:
         QTest::addColumn<PlaceCounts>("counted");
         QTest::addColumn<QString>("setUp");
         QTest::newRow("whole ends")
-            << QStringLiteral("line-bresenham") << placesByBresenham()
-            << QStringLiteral("set-up: 2 multiplications (2Δx and 2Δy), 4 additions (Δx, Δy, 2Δy − "
-                              "2Δx and p₀) and 2 comparisons");
+            << u"line-bresenham"_s << placesByBresenham()
+            << u"set-up: 2 multiplications (2Δx and 2Δy), 4 additions (Δx, Δy, 2Δy − "
+               "2Δx and p₀) and 2 comparisons"_s;
         QTest::newRow("sub-pixel ends")
-            << QStringLiteral("line-bresenham-symmetric") << placesSymmetrically()
-            << QStringLiteral("with 15 multiplications, 10 additions and 2 comparisons");
+            << u"line-bresenham-symmetric"_s << placesSymmetrically()
+            << u"with 15 multiplications, 10 additions and 2 comparisons"_s;
     }
     void bresenhamPlacementIsCountedByStage()
     {
         QFETCH(QString, id);
         QFETCH(PlaceCounts, counted);
         QFETCH(QString, setUp);
-        const bool hasWholeEnds = id == QStringLiteral("line-bresenham");
+        const bool hasWholeEnds = id == u"line-bresenham"_s;
         const auto of
             = [](const OperationRow &row, Operation kind) { return row[std::size_t(kind)]; };
         for (const Operation none : {Rounding, FloatAddition, Conversion, Function})
@@ -116,10 +116,10 @@ private slots:
 
         const QString words = countingGap(*methodNamed(id), Arithmetic::Exact);
         for (const QString &part :
-             {setUp, QStringLiteral("each step: 1 comparison (p with 0) and 1 addition (to p)"),
-              QStringLiteral("no rounding and no floating point"),
-              hasWholeEnds ? QStringLiteral("one division finds the first pixel")
-                           : QStringLiteral("1 division, which finds the first pixel")})
+             {setUp, u"each step: 1 comparison (p with 0) and 1 addition (to p)"_s,
+              u"no rounding and no floating point"_s,
+              hasWholeEnds ? u"one division finds the first pixel"_s
+                           : u"1 division, which finds the first pixel"_s})
             QVERIFY2(words.contains(part), qPrintable(words));
         // The rest belongs to the colour.
         const OperationCounts all = countsOf(qPrintable(id), Arithmetic::Exact, oneColourLine());
@@ -148,9 +148,9 @@ private slots:
         const Method &method = *methodNamed(id);
         for (const Arithmetic arithmetic : method.arithmetics) {
             const QString words = countingGap(method, arithmetic);
-            QVERIFY2(words.contains(QStringLiteral("the set-up: ")), qPrintable(words));
-            QVERIFY2(words.contains(QStringLiteral("each step: ")), qPrintable(words));
-            QVERIFY2(words.contains(QStringLiteral("the colour's")), qPrintable(words));
+            QVERIFY2(words.contains(u"the set-up: "_s), qPrintable(words));
+            QVERIFY2(words.contains(u"each step: "_s), qPrintable(words));
+            QVERIFY2(words.contains(u"the colour's"_s), qPrintable(words));
         }
     }
 
@@ -239,7 +239,7 @@ private slots:
         QCOMPARE(counts.spans, std::int64_t(8));
         QCOMPARE(counts.edgesLookedAt, std::int64_t(2 * (2 + 6 + 4 + 2)));
         QCOMPARE(counts.edgesOfRows, std::int64_t(8 * 12));
-        QVERIFY2(countsText(counts).endsWith(QStringLiteral(", 28 of 96 edges looked at")),
+        QVERIFY2(countsText(counts).endsWith(u", 28 of 96 edges looked at"_s),
                  qPrintable(countsText(counts)));
 
         const OperationCounts ofTriangle = countsOf(
@@ -248,7 +248,7 @@ private slots:
                  {{{latticePixel(1, 1), {}}, {latticePixel(9, 2), {}}, {latticePixel(4, 8), {}}}}}},
              {}});
         QCOMPARE(ofTriangle.edgesOfRows, std::int64_t(0));
-        QVERIFY(!countsText(ofTriangle).contains(QStringLiteral("edges")));
+        QVERIFY(!countsText(ofTriangle).contains(u"edges"_s));
     }
 };
 

@@ -53,7 +53,7 @@ std::map<int, int> firstRows(const TracedScene &traced)
     for (std::size_t span = 0; span < traced.trace->spanCount(); ++span) {
         const auto number = [&](const QString &id) { return spanNumber(traced, span, id); };
         for (int i = 0; i < 6; ++i) {
-            const Quantity edge = number(QStringLiteral("edge_%1").arg(i));
+            const Quantity edge = number(u"edge_%1"_s.arg(i));
             if (!edge.isNone())
                 rows.try_emplace(int(edge.toDouble()), int(number("y").toDouble()));
         }
@@ -64,7 +64,7 @@ std::map<int, int> firstRows(const TracedScene &traced)
 /// The rows named in labels, by edge number.
 std::map<int, int> toldRows(const LayerDrawing &drawing)
 {
-    static const QRegularExpression pattern(QStringLiteral("^edge (\\d+), from row (-?\\d+)$"));
+    static const QRegularExpression pattern(u"^edge (\\d+), from row (-?\\d+)$"_s);
     std::map<int, int> rows;
     for (const LayerDrawing::Label &label : drawing.labels) {
         if (const auto match = pattern.match(label.text); match.hasMatch())
@@ -159,8 +159,8 @@ private slots:
 
         look.view.position = trace.indexOfSpan(span) + 1;
         const QStringList texts = textsOf(look.drawing("edge-table").labels);
-        QVERIFY2(texts.contains(QStringLiteral("w = 1")), qPrintable(texts.join(u'|')));
-        QVERIFY(!texts.contains(QStringLiteral("w = −1")));
+        QVERIFY2(texts.contains(u"w = 1"_s), qPrintable(texts.join(u'|')));
+        QVERIFY(!texts.contains(u"w = −1"_s));
     }
 
     void theLowestEdgesOfAPolygonBeginAboveTheirVertex()
@@ -204,7 +204,7 @@ private slots:
         QCOMPARE(toldRows(look.drawing("edge-table")).at(5), 8);
         polygon.vertices.push_back({{9 * unitsPerPixel, 7 * unitsPerPixel + 32}, Colour()});
         QVERIFY(textsOf(Look(sceneOf(polygon, "polygon-parity", {})).drawing("edge-table").labels)
-                    .contains(QStringLiteral("edge 5, on no row")));
+                    .contains(u"edge 5, on no row"_s));
     }
 };
 

@@ -156,28 +156,25 @@ private slots:
     {
         HiddenLook look(triangleBy("edge-equations"));
         look.view.position = 1;
-        QVERIFY(!startsWith(textsOf(look.drawing("box").labels), QStringLiteral("tested")));
+        QVERIFY(!startsWith(textsOf(look.drawing("box").labels), u"tested"_s));
         look.seekToSpan(3);
-        QVERIFY(textsOf(look.drawing("box").labels)
-                    .contains(QStringLiteral("tested: x 2 … 17, y 1 … 4")));
+        QVERIFY(textsOf(look.drawing("box").labels).contains(u"tested: x 2 … 17, y 1 … 4"_s));
         look.view.ahead = Ahead::Shown;
-        QVERIFY(textsOf(look.drawing("box").labels)
-                    .contains(QStringLiteral("tested: x 2 … 17, y 1 … 13")));
+        QVERIFY(textsOf(look.drawing("box").labels).contains(u"tested: x 2 … 17, y 1 … 13"_s));
     }
 
     void weightsOfAPickedPixelAreToldWhenItIsDrawn()
     {
         HiddenLook look(triangleBy("column-scan"));
         look.seekToSpan(4);
-        const auto hasWeights = [&look] {
-            return startsWith(textsOf(look.drawing("affine-map").labels), QStringLiteral("p: α"));
-        };
+        const auto hasWeights
+            = [&look] { return startsWith(textsOf(look.drawing("affine-map").labels), u"p: α"_s); };
         const std::size_t next = look.traced->trace->firstSampleOf(4);
         const PixelChange change = look.traced->trace->changes()[next];
         look.view.picked = QPoint(change.x, change.y);
         QVERIFY(!hasWeights());
-        QVERIFY(look.drawing("affine-map")
-                    .notes.contains(QStringLiteral("Affine map: weights are still ahead")));
+        QVERIFY(
+            look.drawing("affine-map").notes.contains(u"Affine map: weights are still ahead"_s));
         ++look.view.position;
         QVERIFY(hasWeights());
         look.view.picked = QPoint(40, 40); // outside the triangle, before any step has decided it

@@ -112,23 +112,23 @@ private slots:
         for (std::size_t i = 0; i < 3; ++i) {
             const QChar letter(char16_t(u'a' + i));
             const QPointF corner = placeOf(triangle.vertices[i].position);
-            const QString axis = labelAt(axes, corner, letter + QStringLiteral(" = P"));
+            const QString axis = labelAt(axes, corner, letter + u" = P"_s);
             QVERIFY2(!axis.isEmpty(), qPrintable(textsOf(axes).join('|')));
             const QChar rank = axis[5];
-            const QString vertex = labelAt(vertices, corner, QStringLiteral("P") + rank);
+            const QString vertex = labelAt(vertices, corner, u"P"_s + rank);
             QVERIFY2(vertex.startsWith(rank.digitValue() == int(i)
-                                           ? QStringLiteral("P%1 (").arg(i)
-                                           : QStringLiteral("P%1 = vertex %2 (").arg(rank).arg(i)),
+                                           ? u"P%1 ("_s.arg(i)
+                                           : u"P%1 = vertex %2 ("_s.arg(rank).arg(i)),
                      qPrintable(textsOf(vertices).join('|')));
             QVERIFY2(
                 axis.endsWith(QStringList{"(1, 0, 0)", "(0, 1, 0)", "(0, 0, 1)"}[qsizetype(i)]),
                 qPrintable(axis));
-            const QString image = QStringLiteral("%1′ = P%2′ ").arg(letter).arg(rank);
+            const QString image = u"%1′ = P%2′ "_s.arg(letter).arg(rank);
             QVERIFY2(textsOf(images).filter(image).size() == 1,
                      qPrintable(textsOf(images).join('|')));
         }
         // The same sample has the same value in its cell and in the label of the affine map.
-        if (weights.cellNames.contains(QStringLiteral("E₀")))
+        if (weights.cellNames.contains(u"E₀"_s))
             return;
         QVERIFY(!weights.cells.empty());
         for (std::size_t cell = 0; cell + 2 < weights.cells.size(); cell += 3) {
@@ -136,7 +136,7 @@ private slots:
             look.view.picked = QPoint(int(first.x), int(first.y));
             const auto labels = textsOf(look.drawing("affine-map").labels).filter("p: ");
             QCOMPARE(labels.size(), 1);
-            QStringList parts = labels.front().sliced(3).split(QStringLiteral(", "));
+            QStringList parts = labels.front().sliced(3).split(u", "_s);
             for (qsizetype i = 0; i < 3; ++i) {
                 const QStringList fraction
                     = parts[i].section(u' ', -1).replace(u'−', u'-').split(u'/');
@@ -179,8 +179,7 @@ private slots:
                                        picture.rect(), LayerTone::Light};
             for (look.view.position = 1; look.view.position <= look.traced->trace->stepCount();
                  ++look.view.position) {
-                const LayerDrawing drawing = drawingOf(
-                    {QStringLiteral("decisions"), QStringLiteral("vertices")}, look.view);
+                const LayerDrawing drawing = drawingOf({u"decisions"_s, u"vertices"_s}, look.view);
                 if (drawing.measures.empty())
                     continue; // no decision led to the first pixel
                 const std::vector<QRectF> bars = LayerPainter::measurePlaces(drawing, surface);
@@ -214,7 +213,7 @@ private slots:
         for (int x = 1; x <= 6; ++x) {
             drawing.points.push_back({{double(x), 3}, LayerInk::Hand});
             drawing.labels.push_back(
-                {QStringLiteral("edge %1, from row 3").arg(x), {x + 0.3, 3.3}, LayerInk::Mark});
+                {u"edge %1, from row 3"_s.arg(x), {x + 0.3, 3.3}, LayerInk::Mark});
         }
 
         LayerPainter layers;
@@ -265,7 +264,7 @@ private slots:
                 layers.paintLabels(painter, drawing, paper.surface, {});
                 const QPointF middle = paper.surface.fromSamples.map(arrow->from);
                 QPointF inward = paper.surface.fromSamples.map(arrow->to) - middle;
-                if (name.text.contains(QStringLiteral("< 0")))
+                if (name.text.contains(u"< 0"_s))
                     inward = -inward;
                 for (const QRectF &rect : layers.labels()) {
                     for (const QPointF &corner :
@@ -308,7 +307,7 @@ private slots:
         // first.
         QCOMPARE(drawing.lines.size(), std::size_t(6));
         for (std::size_t name = 0; name < 6; ++name) {
-            const bool isNegative = drawing.labels[name].text.contains(QStringLiteral(" < 0"));
+            const bool isNegative = drawing.labels[name].text.contains(u" < 0"_s);
             std::array<double, 3> distances{};
             for (std::size_t edge = 0; edge < 3; ++edge) {
                 const LayerDrawing::Line &line = drawing.lines[2 * edge];
@@ -347,13 +346,13 @@ private slots:
         const auto text = [](std::int64_t numerator, std::int64_t denominator) {
             return cellNumber(Quantity::rational(numerator, denominator));
         };
-        QCOMPARE(text(-451, 4), QStringLiteral("−112.8"));
-        QCOMPARE(text(1, 3), QStringLiteral("0.33"));
-        QCOMPARE(text(-1, 70), QStringLiteral("−0.014"));
-        QCOMPARE(text(-1, 30000), QStringLiteral("−3e−05"));
-        QCOMPARE(text(0, 1), QStringLiteral("0"));
-        QCOMPARE(preciseNumber(Quantity::rational(-16, 1117)), QStringLiteral("−0.0143"));
-        QCOMPARE(preciseNumber(Quantity::rational(45, 2)), QStringLiteral("22.5"));
+        QCOMPARE(text(-451, 4), u"−112.8"_s);
+        QCOMPARE(text(1, 3), u"0.33"_s);
+        QCOMPARE(text(-1, 70), u"−0.014"_s);
+        QCOMPARE(text(-1, 30000), u"−3e−05"_s);
+        QCOMPARE(text(0, 1), u"0"_s);
+        QCOMPARE(preciseNumber(Quantity::rational(-16, 1117)), u"−0.0143"_s);
+        QCOMPARE(preciseNumber(Quantity::rational(45, 2)), u"22.5"_s);
     }
 
     /// An edge whose middle is far outside has its arrow where the edge is visible.

@@ -66,7 +66,7 @@ LayerDrawing drawingWithSamples()
             drawing.cells.push_back({x, y, QString::number(y * 8 + x), LayerInk::First});
         }
     }
-    drawing.cellNames = {QStringLiteral("address")};
+    drawing.cellNames = {u"address"_s};
     return drawing;
 }
 
@@ -86,17 +86,16 @@ private slots:
     void subscriptsAreLoweredAndSmaller()
     {
         Glyphs glyphs;
-        const QString symbol = QStringLiteral("d_lower = 1");
+        const QString symbol = u"d_lower = 1"_s;
 
-        const double expected = glyphs.widthOf(QStringLiteral("d"))
-            + 0.75 * glyphs.widthOf(QStringLiteral("lower"))
-            + glyphs.widthOf(QStringLiteral(" = 1"));
+        const double expected = glyphs.widthOf(u"d"_s) + 0.75 * glyphs.widthOf(u"lower"_s)
+            + glyphs.widthOf(u" = 1"_s);
         QVERIFY(std::abs(glyphs.widthOf(symbol) - expected) < 1e-9);
         // "d" is on the baseline, "lower" below it: y grows downward.
-        QVERIFY(glyphs.outlineOf(QStringLiteral("d")).boundingRect().bottom() < 0.05);
+        QVERIFY(glyphs.outlineOf(u"d"_s).boundingRect().bottom() < 0.05);
         QVERIFY(glyphs.outlineOf(symbol).boundingRect().bottom() > 0.1);
-        QVERIFY(glyphs.widthOf(QStringLiteral("a_"))
-                > glyphs.widthOf(QStringLiteral("a"))); // nothing follows that could be lowered
+        QVERIFY(glyphs.widthOf(u"a_"_s)
+                > glyphs.widthOf(u"a"_s)); // nothing follows that could be lowered
     }
 
     void numbersKeepClearOfTheSamplesInTheirCells()
@@ -126,7 +125,7 @@ private slots:
         LayerDrawing drawing;
         for (const char *text : {"0.5", "0.25", "0.25", "128", "63.8"})
             drawing.cells.push_back({1, 1, QString::fromLatin1(text)});
-        drawing.cellNames = {QStringLiteral("α, β, γ"), QStringLiteral("R, G")};
+        drawing.cellNames = {u"α, β, γ"_s, u"R, G"_s};
 
         QStringList said = LayerPainter().paintNumbers(painter, drawing, paper.surface);
         QCOMPARE(said,
@@ -143,7 +142,7 @@ private slots:
     {
         LayerDrawing drawing = drawingWithSamples();
         for (int i = 0; i < 2; ++i)
-            drawing.cells.push_back({3, 3, QStringLiteral("1"), LayerInk::First});
+            drawing.cells.push_back({3, 3, u"1"_s, LayerInk::First});
         const auto saidAt = [&drawing](double cell) {
             Paper paper(cell);
             QPainter painter(&paper.picture);
@@ -152,7 +151,7 @@ private slots:
 
         // Three lines of 6 px below the dot in the middle.
         QVERIFY2(saidAt(56).contains("cells of 57 pixels"), qPrintable(saidAt(56)));
-        QCOMPARE(saidAt(57), QStringLiteral("In the cells: address"));
+        QCOMPARE(saidAt(57), u"In the cells: address"_s);
     }
 
     void aMeasureStandsBesideWhatItMeasures()
@@ -160,8 +159,8 @@ private slots:
         Paper paper(40);
         QPainter painter(&paper.picture);
         LayerDrawing drawing;
-        drawing.measures = {{{3, 2}, {3, 2.75}, QStringLiteral("d_lower"), LayerInk::First},
-                            {{3, 2.75}, {3, 3}, QStringLiteral("d_upper"), LayerInk::Second}};
+        drawing.measures = {{{3, 2}, {3, 2.75}, u"d_lower"_s, LayerInk::First},
+                            {{3, 2.75}, {3, 3}, u"d_upper"_s, LayerInk::Second}};
 
         LayerPainter().paintMarks(painter, drawing, paper.surface);
         painter.end();
@@ -183,9 +182,9 @@ private slots:
         Paper paper(40);
         QPainter painter(&paper.picture);
         LayerDrawing drawing;
-        drawing.measures = {{{3, 2}, {3, 2.75}, QStringLiteral("d_lower"), LayerInk::First},
-                            {{3, 2.75}, {3, 3}, QStringLiteral("d_upper"), LayerInk::Second}};
-        drawing.labels = {{QStringLiteral("p_k"), {3, 2.75}, LayerInk::Hand}};
+        drawing.measures = {{{3, 2}, {3, 2.75}, u"d_lower"_s, LayerInk::First},
+                            {{3, 2.75}, {3, 3}, u"d_upper"_s, LayerInk::Second}};
+        drawing.labels = {{u"p_k"_s, {3, 2.75}, LayerInk::Hand}};
 
         LayerPainter layers;
         QVERIFY(layers.paintLabels(painter, drawing, paper.surface, {}).isEmpty());
@@ -243,7 +242,7 @@ private slots:
         const QTransform toSamples = paper.surface.fromSamples.inverted();
         const QPointF place(160, 120);
         const QLineF rival(place + QPointF(10, -100), place + QPointF(10, 100));
-        LayerDrawing::Label label{QStringLiteral("name"), toSamples.map(place), LayerInk::First};
+        LayerDrawing::Label label{u"name"_s, toSamples.map(place), LayerInk::First};
         const auto rectOf = [&](const LayerDrawing::Label &placed) {
             LayerLabels labels(painter, paper.surface, glyphs, {});
             labels.place(placed);
@@ -268,8 +267,8 @@ private slots:
         // So close together that names have to move away.
         const QTransform toSamples = paper.surface.fromSamples.inverted();
         for (int i = 0; i < 9; ++i)
-            labels.place({QStringLiteral("name %1").arg(i),
-                          toSamples.map(QPointF(160 + 2 * i, 120 + i)), LayerInk::First});
+            labels.place({u"name %1"_s.arg(i), toSamples.map(QPointF(160 + 2 * i, 120 + i)),
+                          LayerInk::First});
         labels.paint();
         painter.end();
 
@@ -282,8 +281,8 @@ private slots:
             LayerTexts texts(single, alone.surface, glyphs);
             const QRectF rect = labels.places()[i];
             texts.paintPaper(rect);
-            texts.paintText(QStringLiteral("name %1").arg(i),
-                            rect.topLeft() + QPointF(3, 1 + ascent * 12), 12, LayerInk::First);
+            texts.paintText(u"name %1"_s.arg(i), rect.topLeft() + QPointF(3, 1 + ascent * 12), 12,
+                            LayerInk::First);
             single.end();
             // Only the inner part: lines may end at the border.
             const QRect inside = rect.toAlignedRect().adjusted(4, 3, -4, -3);

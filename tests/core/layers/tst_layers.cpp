@@ -134,16 +134,16 @@ private slots:
         for (const LayerDrawing::Line &line : drawing.lines) {
             if (line.stroke != LayerDrawing::Stroke::Arrow)
                 continue;
-            const QPointF normal(numbers[QStringLiteral("a_%1").arg(edge)].toDouble(),
-                                 numbers[QStringLiteral("b_%1").arg(edge)].toDouble());
+            const QPointF normal(numbers[u"a_%1"_s.arg(edge)].toDouble(),
+                                 numbers[u"b_%1"_s.arg(edge)].toDouble());
             const QPointF arrow = line.to - line.from;
             QVERIFY(QPointF::dotProduct(arrow, normal) > 0);
             QVERIFY(std::abs(arrow.x() * normal.y() - arrow.y() * normal.x()) < 1e-9);
             ++edge;
         }
         QCOMPARE(edge, std::size_t(3));
-        QVERIFY(textsOf(drawing.labels).contains(QStringLiteral("E₀ > 0, normal <−7, 54>")));
-        QVERIFY(textsOf(drawing.labels).contains(QStringLiteral("E₂ > 0, normal <39, −22.5>")));
+        QVERIFY(textsOf(drawing.labels).contains(u"E₀ > 0, normal <−7, 54>"_s));
+        QVERIFY(textsOf(drawing.labels).contains(u"E₂ > 0, normal <39, −22.5>"_s));
         QVERIFY(drawing.notes.isEmpty());
     }
 
@@ -328,7 +328,7 @@ private slots:
                 QVERIFY(std::abs(255 * (1 - end.x() / 32 - end.y() / 16) - 32.0 * double(i + 1))
                         < 1e-9);
         }
-        QCOMPARE(drawing.labels.front().text, QStringLiteral("R = 32"));
+        QCOMPARE(drawing.labels.front().text, u"R = 32"_s);
     }
 
     void missingContourLinesAreExplained_data()
@@ -372,8 +372,7 @@ private slots:
         for (const char *name :
              {"a = P0 (1, 0, 0)", "b = P1 (0, 1, 0)", "c = P2 (0, 0, 1)", "β = 0", "γ = 0"})
             QVERIFY2(names.contains(QString::fromUtf8(name)), name);
-        const auto axis = std::ranges::find(drawing.labels, QStringLiteral("β = 0"),
-                                            &LayerDrawing::Label::text);
+        const auto axis = std::ranges::find(drawing.labels, u"β = 0"_s, &LayerDrawing::Label::text);
         QVERIFY(QRectF(-0.5, -0.5, 64, 48).contains(axis->place));
         // One colour per line: a name has the colour of its line.
         for (const char *name : {"β = 0", "γ = 0", "β = 1", "γ = 1"}) {
@@ -418,8 +417,7 @@ private slots:
     void aNameOfTwoLayersStandsThereOnce()
     {
         const Look look(sceneBy("edge-equations", firstTriangle()));
-        const LayerDrawing both
-            = drawingOf({QStringLiteral("half-planes"), QStringLiteral("half-plane-1")}, look.view);
+        const LayerDrawing both = drawingOf({u"half-planes"_s, u"half-plane-1"_s}, look.view);
         QCOMPARE(textsOf(both.labels), textsOf(look.drawing("half-planes").labels));
     }
 
@@ -430,12 +428,12 @@ private slots:
         QImage picture(64 * 24, 48 * 24, QImage::Format_RGB32);
         QPainter painter(&picture);
         LayerDrawing drawing;
-        drawing.cells = {{1, 1, QStringLiteral("−1234567.5")}};
+        drawing.cells = {{1, 1, u"−1234567.5"_s}};
 
         QCOMPARE(LayerPainter().paint(painter, drawing, surfaceOf(look, picture)),
                  QStringList("No room for the numbers in the cells: they need cells of 41 pixels; "
                              "enlarge the picture, or show fewer layers"));
-        drawing.cells = {{1, 1, QStringLiteral("−123")}};
+        drawing.cells = {{1, 1, u"−123"_s}};
         QVERIFY(LayerPainter().paint(painter, drawing, surfaceOf(look, picture)).isEmpty());
     }
 

@@ -118,7 +118,7 @@ private slots:
         QCOMPARE(intervals[0].from, QPointF(0, 6));
         QCOMPARE(intervals[0].to, QPointF(5, 6));
         QCOMPARE(intervals[1].from, QPointF(15, 6));
-        QVERIFY(textsOf(drawing.labels).contains(QStringLiteral("edge 2, from row 3")));
+        QVERIFY(textsOf(drawing.labels).contains(u"edge 2, from row 3"_s));
     }
 
     void byWindingTheOverlapOfTwoContoursLiesInsideTwice()
@@ -164,8 +164,8 @@ private slots:
         between.vertices[0].position.x += unitsPerPixel / 4;
         between.vertices[1].position.x -= unitsPerPixel / 4;
         QCOMPARE(textOf(between, "line-slope-intercept").front(),
-                 QStringLiteral("(3 − 1) pixels / 2.00 px = 1.00 a px; even with 1.00 times the "
-                                "light"));
+                 u"(3 − 1) pixels / 2.00 px = 1.00 a px; even with 1.00 times the "
+                 "light"_s);
     }
 
     void pixelsOfALineAreCountedAsTheyAreWritten()
@@ -257,10 +257,8 @@ private slots:
         frame.origin = origin;
         Look look(sceneOf(lineAt(30, 20, 30 + run.x(), 20 + run.y()), "line-bresenham", frame));
         const ScanTrace &trace = *look.traced->trace;
-        const QString note
-            = QStringLiteral("“lower” is the distance to the pixel that stays, here the %1 one, "
-                             "“upper” that to the %2 one")
-                  .arg(stays, across);
+        const QString note = u"“lower” is the distance to the pixel that stays, here the %1 one, "
+                             "“upper” that to the %2 one"_s.arg(stays, across);
         for (std::size_t span = 1; span < trace.spanCount(); ++span) {
             look.view.position = trace.indexOfSpan(span) + 1;
             const LayerDrawing drawing = look.drawing("decisions");
@@ -280,16 +278,16 @@ private slots:
             QCOMPARE(drawing.measures.size(), std::size_t(2));
             QCOMPARE(drawing.measures[0].from, staying);
             QCOMPARE(drawing.measures[1].to, drawing.points[1].place);
-            const std::array names = {QStringLiteral("d_lower"), QStringLiteral("d_upper")};
+            const std::array names = {u"d_lower"_s, u"d_upper"_s};
             for (std::size_t i = 0; i < 2; ++i) {
                 const Quantity number = spanNumber(*look.traced, span, names[i]);
                 const LayerDrawing::Measure &measure = drawing.measures[i];
                 const QPointF way = measure.to - measure.from;
                 QVERIFY(std::abs(QPointF::dotProduct(way, onward) - number.toDouble()) < 1e-9);
                 QVERIFY(measure.from == onLine || measure.to == onLine);
-                QCOMPARE(measure.text, QStringLiteral("%1 = %2").arg(names[i], cellNumber(number)));
+                QCOMPARE(measure.text, u"%1 = %2"_s.arg(names[i], cellNumber(number)));
             }
-            QCOMPARE(drawing.notes.isEmpty(), stays == QStringLiteral("lower"));
+            QCOMPARE(drawing.notes.isEmpty(), stays == u"lower"_s);
             QVERIFY(drawing.notes.isEmpty() || drawing.notes.front().endsWith(note));
         }
     }
@@ -306,14 +304,12 @@ private slots:
             const QPointF midpoint = drawing.points.back().place - QPointF(32, 24);
             const double f = QPointF::dotProduct(midpoint, midpoint) - 100;
             QCOMPARE(drawing.labels.front().text,
-                     QStringLiteral("F = p_k = %1")
-                         .arg(toDecimal(Quantity::of(f), std::abs(f) < 10 ? 2 : 1))
+                     u"F = p_k = %1"_s.arg(toDecimal(Quantity::of(f), std::abs(f) < 10 ? 2 : 1))
                          .replace(u'-', QChar(0x2212)));
             // The step's words and pixel belong to the same decision.
-            QCOMPARE(spanNumber(*look.traced, span, QStringLiteral("p_k")).toDouble(), f);
-            const QPointF drawn(
-                32 + spanNumber(*look.traced, span, QStringLiteral("x_k")).toDouble(),
-                24 + spanNumber(*look.traced, span, QStringLiteral("y_k")).toDouble());
+            QCOMPARE(spanNumber(*look.traced, span, u"p_k"_s).toDouble(), f);
+            const QPointF drawn(32 + spanNumber(*look.traced, span, u"x_k"_s).toDouble(),
+                                24 + spanNumber(*look.traced, span, u"y_k"_s).toDouble());
             QCOMPARE(drawn, drawing.points[f > 0 ? 2 : 1].place);
         }
     }
@@ -334,7 +330,7 @@ private slots:
         bool isWhole = true;
         QVERIFY(look.traced->trace->spanCount() > 5);
         for (std::size_t span = 0; span < look.traced->trace->spanCount(); ++span) {
-            const double next = spanNumber(*look.traced, span, QStringLiteral("p_next")).toDouble();
+            const double next = spanNumber(*look.traced, span, u"p_next"_s).toDouble();
             QCOMPARE(4 * next, std::round(4 * next));
             isWhole = isWhole && next == std::round(next);
         }
@@ -353,7 +349,7 @@ private slots:
         points.vertices = {{latticePixel(1, 5), Colour()}};
         const Look look(sceneOf(points, "point-address", frame));
 
-        const Quantity address = spanNumber(*look.traced, 0, QStringLiteral("addr"));
+        const Quantity address = spanNumber(*look.traced, 0, u"addr"_s);
 
         QCOMPARE(textsIn(look.drawing("memory"), 1, 5), QStringList(toText(address)));
     }
@@ -397,7 +393,7 @@ private slots:
             picture.fill(Qt::black);
             const QImage before = picture;
             LayerDrawing drawing;
-            drawing.labels = {{QStringLiteral("E₀ > 0"), place, LayerInk::Mark}};
+            drawing.labels = {{u"E₀ > 0"_s, place, LayerInk::Mark}};
             QPainter painter(&picture);
             LayerPainter().paint(painter, drawing, {QTransform(), view, LayerTone::Light});
             painter.end();
@@ -420,7 +416,7 @@ private slots:
         QImage picture(3 * 40, 40, QImage::Format_RGB32);
         picture.fill(Qt::black);
         LayerDrawing drawing;
-        drawing.cells = {{1, 0, QStringLiteral("0.25")}, {1, 0, QStringLiteral("−123")}};
+        drawing.cells = {{1, 0, u"0.25"_s}, {1, 0, u"−123"_s}};
 
         QPainter painter(&picture);
         LayerPainter().paint(painter, drawing,

@@ -21,7 +21,7 @@ private slots:
 
         QCOMPARE(left.share(), 0.0);
         QCOMPARE(left.seconds(), 14.0);
-        QCOMPARE(left.text(), QStringLiteral("waiting: 0 %, about 14 s left"));
+        QCOMPARE(left.text(), u"waiting: 0 %, about 14 s left"_s);
     }
 
     void whatIsLeftIsOfTheWholeJob()
@@ -31,7 +31,7 @@ private slots:
         left.tell({JobPhase::Judging, 25, 100}, m_begin + 4s);
         QCOMPARE(left.share(), 0.25);
         QCOMPARE(left.seconds(), 12.0);
-        QCOMPARE(left.text(), QStringLiteral("judging: 25 %, about 12 s left"));
+        QCOMPARE(left.text(), u"judging: 25 %, about 12 s left"_s);
 
         left.tell({JobPhase::Measuring, 100, 100}, m_begin + 16s);
         QCOMPARE(left.share(), 1.0);
@@ -45,7 +45,7 @@ private slots:
         left.tell({JobPhase::Judging, 10, 20}, m_begin + 154s); // 50 s expected, plus 2 of trust
 
         QCOMPARE(left.seconds(), 50 * (154.0 + 2) / (50 + 2));
-        QCOMPARE(left.text(), QStringLiteral("judging: 50 %, about 3 min left"));
+        QCOMPARE(left.text(), u"judging: 50 %, about 3 min left"_s);
     }
 
     void aJobOfUnknownSizeShowsNoProgress()
@@ -62,7 +62,7 @@ private slots:
         StudySettings full;
         full.extent = StudyExtent::Full;
         StudySettings few;
-        few.families = {QStringLiteral("ties")};
+        few.families = {u"ties"_s};
         StudySettings untimed;
         untimed.rounds = 0;
         StudySettings longer;

@@ -85,8 +85,7 @@ private slots:
             const FrameSpec frame = frameAround(circle);
             const CasePicture truth = truthOf(circle, frame);
             const QString departed = departure(pictureBy(u"circle-midpoint", circle, frame), truth);
-            QVERIFY2(departed.isEmpty(),
-                     qPrintable(QStringLiteral("radius %1: ").arg(radius) + departed));
+            QVERIFY2(departed.isEmpty(), qPrintable(u"radius %1: "_s.arg(radius) + departed));
             QVERIFY2(radius > 60 || isConnected(truth), qPrintable(QString::number(radius)));
         }
     }
@@ -99,8 +98,7 @@ private slots:
                 const FrameSpec frame = frameAround(ellipse);
                 const QString departed = departure(pictureBy(u"circle-midpoint", ellipse, frame),
                                                    truthOf(ellipse, frame));
-                QVERIFY2(departed.isEmpty(),
-                         qPrintable(QStringLiteral("%1 × %2: ").arg(a).arg(b) + departed));
+                QVERIFY2(departed.isEmpty(), qPrintable(u"%1 × %2: "_s.arg(a).arg(b) + departed));
             }
         }
     }
@@ -118,9 +116,8 @@ private slots:
             places.append(toText(cells[2]) + u',' + toText(cells[3]));
             decisions.append(toText(cells[5]));
         }
-        QCOMPARE(places.join(u' '), QStringLiteral("0,10 1,10 2,10 3,10 4,9 5,9 6,8 7,7"));
-        QCOMPARE(decisions.mid(0, 7).join(u' '),
-                 QStringLiteral("-8 3/4 -5 3/4 -3/4 6 1/4 -2 3/4 8 1/4 5 1/4"));
+        QCOMPARE(places.join(u' '), u"0,10 1,10 2,10 3,10 4,9 5,9 6,8 7,7"_s);
+        QCOMPARE(decisions.mid(0, 7).join(u' '), u"-8 3/4 -5 3/4 -3/4 6 1/4 -2 3/4 8 1/4 5 1/4"_s);
     }
 
     void decisionsGrowToWhatTheirFormulaSays()
@@ -145,7 +142,7 @@ private slots:
             const FrameSpec frame = frameAround(shape);
             QVERIFY2(
                 departure(pictureBy(u"circle-fill", shape, frame), truthOf(shape, frame)).isEmpty(),
-                qPrintable(QStringLiteral("seed 17, ") + nameOf(shape)));
+                qPrintable(u"seed 17, "_s + nameOf(shape)));
         }
     }
 

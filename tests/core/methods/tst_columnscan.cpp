@@ -270,12 +270,10 @@ private slots:
                 continue;
             for (std::size_t channel = 0; channel < 3; ++channel) {
                 const QString letter = channelLetters[channel];
-                const double expected
-                    = spanNumber(*traced, i, letter + QStringLiteral("_B")).toDouble()
+                const double expected = spanNumber(*traced, i, letter + u"_B"_s).toDouble()
                     + (double(column.firstSample) - column.lower.toDouble())
-                        * spanNumber(*traced, i, QStringLiteral("delta_") + letter).toDouble();
-                QVERIFY(qAbs(spanNumber(*traced, i, QStringLiteral("first_") + letter).toDouble()
-                             - expected)
+                        * spanNumber(*traced, i, u"delta_"_s + letter).toDouble();
+                QVERIFY(qAbs(spanNumber(*traced, i, u"first_"_s + letter).toDouble() - expected)
                         < 1e-9);
             }
         }

@@ -130,13 +130,12 @@ private slots:
                                                                       : around.winding % 2 != 0;
                 const bool isCovered = truth.isWritten(x, y);
                 QVERIFY2(isCovered == isInside,
-                         qPrintable(nameOf(path) + QStringLiteral(" at %1, %2").arg(x).arg(y)));
+                         qPrintable(nameOf(path) + u" at %1, %2"_s.arg(x).arg(y)));
                 // Chords deviate from the curve by up to 1/32 px, their ends from the lattice by up
                 // to half a step.
                 QVERIFY2(around.distance < 1.0 / 32 + 0.003 ? true
                                                             : drawn.isWritten(x, y) == isCovered,
-                         qPrintable(nameOf(path)
-                                    + QStringLiteral(" by chords at %1, %2").arg(x).arg(y)));
+                         qPrintable(nameOf(path) + u" by chords at %1, %2"_s.arg(x).arg(y)));
                 inside += isInside ? 1 : 0;
             }
         }
@@ -172,15 +171,15 @@ private slots:
         const Shape arch = pathOf({{latticePixel(1, 2), latticePixel(6, 12), latticePixel(11, 2)}},
                                   ShapeFill::EvenOdd);
         QCOMPARE(textOf(truthOf(arch, frameOf(13, 9))),
-                 QStringLiteral(".............\n"
-                                ".............\n"
-                                "....#####....\n"
-                                "...#######...\n"
-                                "...#######...\n"
-                                "..#########..\n"
-                                ".............\n"
-                                ".............\n"
-                                ".............\n"));
+                 u".............\n"
+                 ".............\n"
+                 "....#####....\n"
+                 "...#######...\n"
+                 "...#######...\n"
+                 "..#########..\n"
+                 ".............\n"
+                 ".............\n"
+                 ".............\n"_s);
     }
 };
 

@@ -51,7 +51,7 @@ Quantity inSpan(const TracedScene &traced, std::size_t span, const char *title)
 qsizetype placeOf(const Explanation &explanation, const char *title)
 {
     const auto found = std::ranges::find_if(explanation.lines, [title](const FormulaLine &line) {
-        return line.symbols.startsWith(QString::fromUtf8(title) + QStringLiteral(" = "));
+        return line.symbols.startsWith(QString::fromUtf8(title) + u" = "_s);
     });
     return found == explanation.lines.end() ? -1 : found - explanation.lines.begin();
 }
@@ -77,11 +77,9 @@ private slots:
         const qsizetype sign = placeOf(setUp, "s₀");
         QVERIFY(side >= 0 && side < sign && sign < placeOf(setUp, "a₀"));
         const FormulaLine &sided = setUp.lines[std::size_t(side)];
-        QCOMPARE(sided.symbols,
-                 QStringLiteral("sidedness₀ = (y₁ − y₀)·x₂ + (x₀ − x₁)·y₂ + (x₁·y₀ − x₀·y₁)"));
-        QCOMPARE(sided.substituted, QStringLiteral("(2 − 1)·3 + (2 − 9)·8 + (9·1 − 2·2)"));
-        QCOMPARE(setUp.lines[std::size_t(sign)].substituted,
-                 QStringLiteral("−1 if (−48) < 0, else 1"));
+        QCOMPARE(sided.symbols, u"sidedness₀ = (y₁ − y₀)·x₂ + (x₀ − x₁)·y₂ + (x₁·y₀ − x₀·y₁)"_s);
+        QCOMPARE(sided.substituted, u"(2 − 1)·3 + (2 − 9)·8 + (9·1 − 2·2)"_s);
+        QCOMPARE(setUp.lines[std::size_t(sign)].substituted, u"−1 if (−48) < 0, else 1"_s);
 
         Scene turned = slideTriangle("edge-equations");
         std::swap(turned.triangles[0].vertices[1], turned.triangles[0].vertices[2]);
@@ -93,15 +91,13 @@ private slots:
         QTest::addColumn<QString>("id");
         QTest::addColumn<QStringList>("titles");
         const QStringList lower
-            = {QStringLiteral("f_bc(r)"), QStringLiteral("f_bc(a)·f_bc(r)"),
-               QStringLiteral("f_ca(b)·f_ca(r)"), QStringLiteral("f_ab(c)·f_ab(r)")};
-        QTest::newRow("off-screen") << QStringLiteral("barycentric-off-screen") << lower;
-        QTest::newRow("incremental") << QStringLiteral("barycentric-incremental") << lower;
-        QTest::newRow("relative") << QStringLiteral("barycentric-relative") << lower;
-        QTest::newRow("Cramer's rule")
-            << QStringLiteral("barycentric-cramer")
-            << QStringList{QStringLiteral("f_bc(r)"), QStringLiteral("f_bc(A)·f_bc(r)"),
-                           QStringLiteral("f_ca(B)·f_ca(r)"), QStringLiteral("f_ab(C)·f_ab(r)")};
+            = {u"f_bc(r)"_s, u"f_bc(a)·f_bc(r)"_s, u"f_ca(b)·f_ca(r)"_s, u"f_ab(c)·f_ab(r)"_s};
+        QTest::newRow("off-screen") << u"barycentric-off-screen"_s << lower;
+        QTest::newRow("incremental") << u"barycentric-incremental"_s << lower;
+        QTest::newRow("relative") << u"barycentric-relative"_s << lower;
+        QTest::newRow("Cramer's rule") << u"barycentric-cramer"_s
+                                       << QStringList{u"f_bc(r)"_s, u"f_bc(A)·f_bc(r)"_s,
+                                                      u"f_ca(B)·f_ca(r)"_s, u"f_ab(C)·f_ab(r)"_s};
     }
     void theOffScreenPointDecidesByNumbersThatAreShown()
     {
@@ -113,20 +109,19 @@ private slots:
 
         // r = (−1, −1). f_bc = 6x + 6y − 66, f_ca = −7x + y + 13, f_ab = x − 7y + 5; each is −48 at
         // the opposite vertex.
-        QCOMPARE(number(QStringLiteral("x_r")), Quantity::integer(-1));
-        QCOMPARE(number(QStringLiteral("y_r")), Quantity::integer(-1));
+        QCOMPARE(number(u"x_r"_s), Quantity::integer(-1));
+        QCOMPARE(number(u"y_r"_s), Quantity::integer(-1));
         QCOMPARE(number(titles[0]), Quantity::integer(-78));
         QCOMPARE(number(titles[1]), Quantity::integer(-48 * -78));
         QCOMPARE(number(titles[2]), Quantity::integer(-48 * 19));
         QCOMPARE(number(titles[3]), Quantity::integer(-48 * 11));
-        QCOMPARE(number(QStringLiteral("tie_bc")), Quantity::integer(1));
-        QCOMPARE(number(QStringLiteral("tie_ca")), Quantity::integer(0));
-        QCOMPARE(number(QStringLiteral("tie_ab")), Quantity::integer(0));
+        QCOMPARE(number(u"tie_bc"_s), Quantity::integer(1));
+        QCOMPARE(number(u"tie_ca"_s), Quantity::integer(0));
+        QCOMPARE(number(u"tie_ab"_s), Quantity::integer(0));
         const Explanation setUp = explainStep(*traced, 0);
         const qsizetype tie = placeOf(setUp, "tie_ca");
         QVERIFY(tie >= 0);
-        QCOMPARE(setUp.lines[std::size_t(tie)].substituted,
-                 QStringLiteral("1 if (−912) > 0, else 0"));
+        QCOMPARE(setUp.lines[std::size_t(tie)].substituted, u"1 if (−912) > 0, else 0"_s);
     }
 
     /// One half of a square contains its smallest x and y, the other its largest: edges P₀P₁, P₁P₂
@@ -142,8 +137,8 @@ private slots:
                             const std::vector<int> &lower, const std::vector<int> &upper) {
             QTest::addRow("%s, y %s", nameOf(rule).data(),
                           origin == FrameOrigin::TopLeft ? "down" : "up")
-                << rule << origin << QStringLiteral("tie₀, tie₁, tie₂ ← ") + QString::fromUtf8(said)
-                << lower << upper;
+                << rule << origin << u"tie₀, tie₁, tie₂ ← "_s + QString::fromUtf8(said) << lower
+                << upper;
         };
         for (const FrameOrigin origin : {FrameOrigin::BottomLeft, FrameOrigin::TopLeft}) {
             add(FillRule::Closed, origin, "1 — every edge owns the samples on it", {1, 1, 1},
@@ -192,7 +187,7 @@ private slots:
         QCOMPARE(placeOf(setUp, "f_bc(r)"), qsizetype(-1));
         // f_a·a_bc = −48·6 < 0: the edge bc is a right one.
         QCOMPARE(setUp.lines[std::size_t(placeOf(setUp, "tie_bc"))].symbols,
-                 QStringLiteral("tie_bc = 1 if f_a·a_bc > 0, else 0"));
+                 u"tie_bc = 1 if f_a·a_bc > 0, else 0"_s);
         QCOMPARE(inSetUp(*traced, "tie_bc"), Quantity::integer(0));
     }
 
@@ -211,7 +206,7 @@ private slots:
                   const QString reason = pixelHistory(*traced, x, y).front().reason;
                   QVERIFY2(reason.contains(QString::fromUtf8(truth)), qPrintable(reason));
                   QVERIFY2(reason.contains(QString::fromUtf8(column)), qPrintable(reason));
-                  QVERIFY2(!reason.contains(QStringLiteral("Refused by")), qPrintable(reason));
+                  QVERIFY2(!reason.contains(u"Refused by"_s), qPrintable(reason));
               };
         // In column 8 the outline has only rows 3 to 5; in column 10 it has (10, 3), its corner.
         hasReason(8, 2, "The truth refuses it by P₀P₁: the sample is at −5/16 px",
@@ -225,15 +220,12 @@ private slots:
     {
         QTest::addColumn<Antialiasing>("antialiasing");
         QTest::addColumn<QString>("reason");
-        const auto at = QStringLiteral(" The pixel's centre lies beyond L₁₂, at −3 px measured "
-                                       "along the column (−2.12132 px perpendicular to the edge).");
+        const auto at = u" The pixel's centre lies beyond L₁₂, at −3 px measured "
+                        "along the column (−2.12132 px perpendicular to the edge)."_s;
         QTest::newRow("4 samples")
-            << Antialiasing::Samples4
-            << QStringLiteral("No sample of the pixel lies in the triangle.") + at;
+            << Antialiasing::Samples4 << u"No sample of the pixel lies in the triangle."_s + at;
         QTest::newRow("area") << Antialiasing::Area
-                              << QStringLiteral(
-                                     "The triangle covers no part of the pixel's square.")
-                + at;
+                              << u"The triangle covers no part of the pixel's square."_s + at;
     }
     void underAntialiasingNoFillRuleIsNamed()
     {
@@ -265,16 +257,14 @@ private slots:
                 .reason;
         };
         const QString tie
-            = QStringLiteral(" A tie: the exact line passes midway between %1 = 5 and %1 = 6 "
-                             "here, and the truth takes the greater one.")
-                  .arg(QChar(isSteep ? u'x' : u'y'));
-        QVERIFY2(reasonAt(9, 6).startsWith(QStringLiteral("Missing: ")),
-                 qPrintable(reasonAt(9, 6)));
+            = u" A tie: the exact line passes midway between %1 = 5 and %1 = 6 "
+              "here, and the truth takes the greater one."_s.arg(QChar(isSteep ? u'x' : u'y'));
+        QVERIFY2(reasonAt(9, 6).startsWith(u"Missing: "_s), qPrintable(reasonAt(9, 6)));
         QVERIFY2(reasonAt(9, 6).contains(tie), qPrintable(reasonAt(9, 6)));
-        QVERIFY2(reasonAt(9, 5).contains(QStringLiteral(" Extra: ")), qPrintable(reasonAt(9, 5)));
+        QVERIFY2(reasonAt(9, 5).contains(u" Extra: "_s), qPrintable(reasonAt(9, 5)));
         QVERIFY2(reasonAt(9, 5).contains(tie), qPrintable(reasonAt(9, 5)));
         for (const auto &[along, across] : {std::pair(10, 6), std::pair(9, 4), std::pair(9, 7)})
-            QVERIFY2(!reasonAt(along, across).contains(QStringLiteral("A tie")),
+            QVERIFY2(!reasonAt(along, across).contains(u"A tie"_s),
                      qPrintable(reasonAt(along, across)));
     }
 
@@ -305,7 +295,7 @@ private slots:
             = traceScene(slideTriangle(method.toLatin1().constData(), FillRule::OffScreenPoint));
         const QString reason = pixelHistory(*traced, 2, 1).front().reason;
         QVERIFY2(reason.contains(told), qPrintable(reason));
-        if (method == QStringLiteral("edge-equations"))
+        if (method == u"edge-equations"_s)
             QCOMPARE(inSetUp(*traced, "E₀(r)"), Quantity::integer(-11));
     }
 
@@ -335,12 +325,12 @@ private slots:
         int onAxis = 0;
         for (std::size_t span = 0; span < traced->trace->spanCount(); ++span) {
             const StepWords words = traced->trace->spanWords(span);
-            if (!words.sentence.contains(QStringLiteral("on the axis")))
+            if (!words.sentence.contains(u"on the axis"_s))
                 continue;
             ++onAxis;
             QVERIFY2(words.sentence.startsWith(
-                         QStringLiteral("p_k = 16 > 0: the midpoint is outside, but y_k stays 0, "
-                                        "on the axis; ")),
+                         u"p_k = 16 > 0: the midpoint is outside, but y_k stays 0, "
+                         "on the axis; "_s),
                      qPrintable(words.sentence));
             QCOMPARE(words.moment, Moment::Cross);
         }
@@ -357,7 +347,7 @@ private slots:
         QCOMPARE(inSpan(*cut, 0, "p_k"), Quantity::rational(-11, 4));
         for (const char *title : {"p_k", "Δp", "p_k₊₁"})
             QCOMPARE(inSpan(*cut, 0, title), inSpan(*whole, 2, title));
-        QVERIFY(!pixelHistory(*cut, 2, 7)[0].reason.contains(QStringLiteral("without a decision")));
+        QVERIFY(!pixelHistory(*cut, 2, 7)[0].reason.contains(u"without a decision"_s));
         QVERIFY(inSpan(*whole, 0, "p_k").isNone());
     }
 
@@ -366,8 +356,8 @@ private slots:
         const Shape line = lineAtUnits({64, 192}, {1664, 864});
         const auto traced = traceScene(sceneOf(line, "line-bresenham-symmetric", frameOf(16, 8)));
         QCOMPARE(traced->trace->spanWords(0).sentence,
-                 QStringLiteral("On the column 1 the line is at y = 1 13/200, which rounds to the "
-                                "pixel (1, 1). p_k₊₁ = −3/16 < 0 decides about the next one."));
+                 u"On the column 1 the line is at y = 1 13/200, which rounds to the "
+                 "pixel (1, 1). p_k₊₁ = −3/16 < 0 decides about the next one."_s);
         QCOMPARE(inSpan(*traced, 0, "y_line"), Quantity::rational(213, 200));
     }
 
@@ -379,21 +369,21 @@ private slots:
         scene.triangles[0].vertices[1].position = latticePixel(9, 1);
         scene.triangles[0].vertices[2].position = latticePixel(9, 2);
         const QString reason = pixelHistory(*traceScene(scene), 9, 2).front().reason;
-        QVERIFY2(reason.contains(QStringLiteral(
-                     " The sample lies exactly on P₁P₂, and the rule off-screen-point gives it to "
+        QVERIFY2(reason.contains(
+                     u" The sample lies exactly on P₁P₂, and the rule off-screen-point gives it to "
                      "this side: the edge's function is −10 at the off-screen point (−1, −1) and "
                      "−7 at the vertex that faces it; their product, 70, is above 0; it lies "
-                     "exactly on P₂P₀, ")),
+                     "exactly on P₂P₀, "_s),
                  qPrintable(reason));
-        QVERIFY2(reason.contains(QStringLiteral("is −11 at the off-screen point (−1, −1) and −7 at "
-                                                "the vertex that faces it; their product, 77, ")),
+        QVERIFY2(reason.contains(u"is −11 at the off-screen point (−1, −1) and −7 at "
+                                 "the vertex that faces it; their product, 77, "_s),
                  qPrintable(reason));
         // No rule decides about a sample that lies on no edge.
         QVERIFY(!pixelHistory(
                      *traceScene(slideTriangle("barycentric-off-screen", FillRule::OffScreenPoint)),
                      4, 4)
                      .front()
-                     .reason.contains(QStringLiteral("exactly on")));
+                     .reason.contains(u"exactly on"_s));
     }
 
     void aRefusedTieTellsTheProduct()
@@ -401,8 +391,8 @@ private slots:
         const auto traced
             = traceScene(slideTriangle("barycentric-off-screen", FillRule::OffScreenPoint));
         const QString reason = pixelHistory(*traced, 2, 1).front().reason;
-        QVERIFY2(reason.contains(QStringLiteral("off-screen point (−1, −1)")), qPrintable(reason));
-        QVERIFY2(reason.contains(QStringLiteral("their product, −")), qPrintable(reason));
+        QVERIFY2(reason.contains(u"off-screen point (−1, −1)"_s), qPrintable(reason));
+        QVERIFY2(reason.contains(u"their product, −"_s), qPrintable(reason));
     }
 
     /// p_k = 2Δy·x_k − 2Δx·y_k + c, the slide's form before it drops what does not change.
@@ -426,12 +416,11 @@ private slots:
             const double across = inSpan(*traced, span, "y_k").toDouble();
             QCOMPARE(inSpan(*traced, span, "p_k").toDouble(),
                      6 * along + (falls ? 20 : -20) * across + constant);
-            const QString whole
-                = QStringLiteral("p_k = 2Δy·x_k %1 2Δx·y_k + c = 6·%2 %1 20·%3 + %4 = ")
-                      .arg(QChar(falls ? u'+' : u'−'))
-                      .arg(along)
-                      .arg(across)
-                      .arg(operand(Quantity::integer(constant)));
+            const QString whole = u"p_k = 2Δy·x_k %1 2Δx·y_k + c = 6·%2 %1 20·%3 + %4 = "_s
+                                      .arg(QChar(falls ? u'+' : u'−'))
+                                      .arg(along)
+                                      .arg(across)
+                                      .arg(operand(Quantity::integer(constant)));
             const QString sentence = traced->trace->spanWords(span).sentence;
             QVERIFY2(sentence.startsWith(whole), qPrintable(sentence));
         }

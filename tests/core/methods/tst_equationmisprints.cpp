@@ -162,12 +162,8 @@ private slots:
     {
         QTest::addColumn<QString>("id");
         QTest::addColumn<QStringList>("titles");
-        QTest::newRow("all") << QStringLiteral("barycentric-all")
-                             << QStringList{QStringLiteral("α"), QStringLiteral("β"),
-                                            QStringLiteral("γ")};
-        QTest::newRow("Cramer") << QStringLiteral("barycentric-cramer")
-                                << QStringList{QStringLiteral("u"), QStringLiteral("v"),
-                                               QStringLiteral("w")};
+        QTest::newRow("all") << u"barycentric-all"_s << QStringList{u"α"_s, u"β"_s, u"γ"_s};
+        QTest::newRow("Cramer") << u"barycentric-cramer"_s << QStringList{u"u"_s, u"v"_s, u"w"_s};
     }
     void theBarycentricGridHasTheSlidesNumbers()
     {
@@ -182,7 +178,7 @@ private slots:
         scene.frame.firstRow = -1;
         scene.triangles = {triangleAt(0, 0, 5, 5, 5, 0)};
         const auto traced = traceScene(scene);
-        const bool seesAll = id == QStringLiteral("barycentric-all");
+        const bool seesAll = id == u"barycentric-all"_s;
         int compared = 0;
         for (std::int64_t y = seesAll ? -1 : 0; y <= (seesAll ? 6 : 5); ++y) {
             for (std::int64_t x = 0; x <= (seesAll ? 6 : 5); ++x) {
@@ -207,9 +203,7 @@ private slots:
             scene.method = "barycentric-all";
             scene.triangles = {triangle};
             const auto traced = traceScene(scene);
-            for (const Quantity &weight :
-                 cellsOf(*traced, 2, 2,
-                         {QStringLiteral("α"), QStringLiteral("β"), QStringLiteral("γ")}))
+            for (const Quantity &weight : cellsOf(*traced, 2, 2, {u"α"_s, u"β"_s, u"γ"_s}))
                 QVERIFY(weight.toDouble() > 0);
         }
     }

@@ -98,7 +98,7 @@ QStringList missing(const QStringList &names, QStringList channels)
 {
     channels.removeIf([&](const QString &channel) {
         return names.contains(channel)
-            || !QStringLiteral("R G B z u v N_x N_y N_z").split(u' ').contains(channel);
+            || !u"R G B z u v N_x N_y N_z"_s.split(u' ').contains(channel);
     });
     return channels;
 }
@@ -106,7 +106,7 @@ QStringList missing(const QStringList &names, QStringList channels)
 /// Whether a title is built from a channel's name: "z₀", "z_B", "δz₀₁", "a_Nx".
 bool belongsTo(QString title, const QStringList &channels)
 {
-    static const QRegularExpression decoration(QStringLiteral("^[δΔ]|^[abcABCD]_|[₀₁₂]+$|_?[BT]$"));
+    static const QRegularExpression decoration(u"^[δΔ]|^[abcABCD]_|[₀₁₂]+$|_?[BT]$"_s);
     title.remove(decoration);
     return std::ranges::any_of(channels, [&](const QString &channel) {
         return title == channel || title == QString(channel).remove(u'_');
@@ -326,7 +326,7 @@ private slots:
         broken.replace("\"uv\": [[", "\"uv\": [[3, ");
         const Result<SceneReading> failed = readScene(broken);
         QVERIFY(!failed);
-        QVERIFY2(failed.error().message().contains(QStringLiteral("primitives[1].uv[0]")),
+        QVERIFY2(failed.error().message().contains(u"primitives[1].uv[0]"_s),
                  qPrintable(failed.error().message()));
     }
 
@@ -336,10 +336,10 @@ private slots:
         QTest::addColumn<bool>("texture");
         QTest::addColumn<bool>("normal");
         QTest::addColumn<QStringList>("channels");
-        const QStringList colour = {QStringLiteral("R"), QStringLiteral("G"), QStringLiteral("B")};
-        const QStringList z = {QStringLiteral("z")};
-        const QStringList uv = {QStringLiteral("u"), QStringLiteral("v")};
-        const QStringList n = {QStringLiteral("N_x"), QStringLiteral("N_y"), QStringLiteral("N_z")};
+        const QStringList colour = {u"R"_s, u"G"_s, u"B"_s};
+        const QStringList z = {u"z"_s};
+        const QStringList uv = {u"u"_s, u"v"_s};
+        const QStringList n = {u"N_x"_s, u"N_y"_s, u"N_z"_s};
         QTest::newRow("colour alone") << false << false << false << colour;
         QTest::newRow("z") << true << false << false << colour + z;
         QTest::newRow("u v") << false << true << false << colour + uv;

@@ -73,7 +73,7 @@ private slots:
             const QString departed
                 = departure(pictureBy(method, line, frame), truthOf(line, frame));
             if (!departed.isEmpty())
-                failure = nameOf(line) + QStringLiteral(": ") + departed;
+                failure = nameOf(line) + u": "_s + departed;
         });
         QVERIFY2(failure.isEmpty(), qPrintable(failure));
     }
@@ -103,7 +103,7 @@ private slots:
             const FrameSpec frame = frameOf(80, 80, middle(a.x, b.x), middle(a.y, b.y));
             const CasePicture truth = truthOf(line, frame);
             QVERIFY2(departure(pictureBy(method, line, frame), truth).isEmpty(),
-                     qPrintable(QStringLiteral("seed 20, ") + nameOf(line)));
+                     qPrintable(u"seed 20, "_s + nameOf(line)));
             QVERIFY(truth.pixelCount() > 0);
         }
     }
@@ -139,12 +139,12 @@ private slots:
     {
         // The shortest lines with a tie: y(1) = 1/2.
         QCOMPARE(textOf(pictureBy(u"line-bresenham", lineAt(2, 1, 0, 0), frameOf(3, 2))),
-                 QStringLiteral(".##\n#..\n"));
+                 u".##\n#..\n"_s);
         QCOMPARE(textOf(pictureBy(u"line-bresenham", lineAt(2, 0, 0, 1), frameOf(3, 2))),
-                 QStringLiteral("#..\n.##\n"));
+                 u"#..\n.##\n"_s);
         // A steep line from the end with the smaller y: x(1) = 1/2.
         QCOMPARE(textOf(pictureBy(u"line-bresenham", lineAt(1, 2, 0, 0), frameOf(2, 3))),
-                 QStringLiteral(".#\n.#\n#.\n"));
+                 u".#\n.#\n#.\n"_s);
     }
 
     void bresenhamIsWrongAtTiesAlone()
@@ -161,7 +161,7 @@ private slots:
             // y(k) = k·Δy/Δx ends in 1/2 for some k only if Δx has more factors of 2 than Δy.
             const bool mayTie = breadth != 0 && (length & -length) > (breadth & -breadth);
             if (differences.total() > 0 && !mayTie)
-                failure = nameOf(line) + QStringLiteral(": ") + differences.message();
+                failure = nameOf(line) + u": "_s + differences.message();
         });
         QVERIFY2(failure.isEmpty(), qPrintable(failure));
     }
@@ -190,7 +190,7 @@ private slots:
                 for (std::int64_t y = -5; y < 12; ++y) {
                     for (std::int64_t x = -13; x < 18; ++x)
                         QVERIFY2(window.isWritten(x, y) == whole.isWritten(x, y),
-                                 qPrintable(QStringLiteral("seed 7, ") + method.id + nameOf(line)));
+                                 qPrintable(u"seed 7, "_s + method.id + nameOf(line)));
                 }
             }
         }

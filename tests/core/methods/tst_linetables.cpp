@@ -27,8 +27,7 @@ QStringList tableOf(const Scene &scene, const QStringList &ids)
         for (const QString &id : ids) {
             for (std::size_t i = 0; i < record.cells.size(); ++i) {
                 if (traced->method->numbers.span[i].id == id)
-                    cells.append(record.cells[i].isNone() ? QStringLiteral("-")
-                                                          : toText(record.cells[i]));
+                    cells.append(record.cells[i].isNone() ? u"-"_s : toText(record.cells[i]));
             }
         }
         lines.append(cells.join(u' '));
@@ -47,16 +46,15 @@ private slots:
     {
         const QStringList table
             = tableOf(sceneOf(lineAt(20, 41, 30, 44), "line-slope-intercept", slideFrame),
-                      {QStringLiteral("x"), QStringLiteral("y"), QStringLiteral("y_r")});
+                      {u"x"_s, u"y"_s, u"y_r"_s});
 
         // Rasterization slides, "Example": from x = 21 on; the first end point needs no computing.
         QCOMPARE(table.mid(1),
-                 QStringList({QStringLiteral("21 41 3/10 41"), QStringLiteral("22 41 3/5 42"),
-                              QStringLiteral("23 41 9/10 42"), QStringLiteral("24 42 1/5 42"),
-                              QStringLiteral("25 42 1/2 43"), QStringLiteral("26 42 4/5 43"),
-                              QStringLiteral("27 43 1/10 43"), QStringLiteral("28 43 2/5 43"),
-                              QStringLiteral("29 43 7/10 44"), QStringLiteral("30 44 44")}));
-        QCOMPARE(table.front(), QStringLiteral("20 41 41"));
+                 QStringList({u"21 41 3/10 41"_s, u"22 41 3/5 42"_s, u"23 41 9/10 42"_s,
+                              u"24 42 1/5 42"_s, u"25 42 1/2 43"_s, u"26 42 4/5 43"_s,
+                              u"27 43 1/10 43"_s, u"28 43 2/5 43"_s, u"29 43 7/10 44"_s,
+                              u"30 44 44"_s}));
+        QCOMPARE(table.front(), u"20 41 41"_s);
     }
 
     void slopeInterceptGivesTheSlidesSteepLineItsOnePixelAfterTheFirst()
@@ -67,10 +65,9 @@ private slots:
 
         // Rasterization slides, "Example 2": m = 5, b = −59, and the one row 21 46.
         const SetUpRecord setUp = traced->trace->setUp(0);
-        QCOMPARE(toText(setUp.cells[4]), QStringLiteral("5"));
-        QCOMPARE(toText(setUp.cells[5]), QStringLiteral("-59"));
-        QCOMPARE(tableOf(scene, {QStringLiteral("x"), QStringLiteral("y_r")}),
-                 QStringList({QStringLiteral("20 41"), QStringLiteral("21 46")}));
+        QCOMPARE(toText(setUp.cells[4]), u"5"_s);
+        QCOMPARE(toText(setUp.cells[5]), u"-59"_s);
+        QCOMPARE(tableOf(scene, {u"x"_s, u"y_r"_s}), QStringList({u"20 41"_s, u"21 46"_s}));
         QCOMPARE(traced->differences.count(Difference::Missing), std::int64_t(4));
     }
 
@@ -90,27 +87,22 @@ private slots:
 
         QCOMPARE(traced->trace->setUp(0).rejection, PrimitiveRejection::LineOfNoLength);
         const QString sentence = explainStep(*traced, 0).sentence;
-        QVERIFY2(sentence.contains(QStringLiteral("The line is a point")), qPrintable(sentence));
-        QVERIFY(!sentence.contains(QStringLiteral("vertical")));
+        QVERIFY2(sentence.contains(u"The line is a point"_s), qPrintable(sentence));
+        QVERIFY(!sentence.contains(u"vertical"_s));
     }
 
     void bresenhamGivesTheSlidesTable()
     {
         const Scene scene = sceneOf(lineAt(20, 41, 30, 44), "line-bresenham", slideFrame);
 
-        const QStringList table = tableOf(
-            scene,
-            {QStringLiteral("k"), QStringLiteral("p_k"), QStringLiteral("x"), QStringLiteral("y")});
+        const QStringList table = tableOf(scene, {u"k"_s, u"p_k"_s, u"x"_s, u"y"_s});
 
         // Rasterization slides, "Bresenham: Example". The tie p₄ = 0 goes up, although the rule
         // printed next to it says otherwise.
         QCOMPARE(table,
-                 QStringList({QStringLiteral("- - 20 41"), QStringLiteral("0 -4 21 41"),
-                              QStringLiteral("1 2 22 42"), QStringLiteral("2 -12 23 42"),
-                              QStringLiteral("3 -6 24 42"), QStringLiteral("4 0 25 43"),
-                              QStringLiteral("5 -14 26 43"), QStringLiteral("6 -8 27 43"),
-                              QStringLiteral("7 -2 28 43"), QStringLiteral("8 4 29 44"),
-                              QStringLiteral("9 -10 30 44")}));
+                 QStringList({u"- - 20 41"_s, u"0 -4 21 41"_s, u"1 2 22 42"_s, u"2 -12 23 42"_s,
+                              u"3 -6 24 42"_s, u"4 0 25 43"_s, u"5 -14 26 43"_s, u"6 -8 27 43"_s,
+                              u"7 -2 28 43"_s, u"8 4 29 44"_s, u"9 -10 30 44"_s}));
     }
 
     void everyStepIsExplainedByItsNumbers()
@@ -215,10 +207,8 @@ private slots:
     {
         for (const char *method : {"line-bresenham", "line-bresenham-symmetric"}) {
             const Scene scene = sceneOf(lineAt(0, 5, 8, 2), method, frameOf(12, 8));
-            QCOMPARE(tableOf(scene,
-                             {QStringLiteral("y_line"), QStringLiteral("d_lower"),
-                              QStringLiteral("d_upper")})[1],
-                     QStringLiteral("4 5/8 3/8 5/8"));
+            QCOMPARE(tableOf(scene, {u"y_line"_s, u"d_lower"_s, u"d_upper"_s})[1],
+                     u"4 5/8 3/8 5/8"_s);
             for (const NumberDescription &number :
                  methodNamed(QString::fromLatin1(method))->numbers.span)
                 QVERIFY2(!number.toolTip.contains(u"where it falls"), qPrintable(number.toolTip));
@@ -234,7 +224,7 @@ private slots:
         TraceExportOptions options;
         options.level = TraceLevel::Pixel;
         options.format = TableFormat::Csv;
-        options.columns = {QStringLiteral("R_exact"), QStringLiteral("B_exact")};
+        options.columns = {u"R_exact"_s, u"B_exact"_s};
         const QByteArray text = exported(*traceScene(scene), options);
         QVERIFY(!text.isEmpty());
         QCOMPARE(text, QByteArray("R_exact,B_exact\r\n0,0\r\n1/3,85\r\n2/3,170\r\n1,255\r\n"));
@@ -249,18 +239,14 @@ private slots:
                            {latticePixel(9, 9), {{0, 255, 0}}}};
         const Scene scene = sceneOf(points, "point-address", frameOf(6, 6));
 
-        const QStringList table
-            = tableOf(scene, {QStringLiteral("x"), QStringLiteral("y"), QStringLiteral("addr")});
+        const QStringList table = tableOf(scene, {u"x"_s, u"y"_s, u"addr"_s});
 
         // Rasterization slides, "Point Plotting": (3, 2) in a frame of width 6 is at 2·6 + 3.
-        QCOMPARE(table,
-                 QStringList(
-                     {QStringLiteral("3 2 15"), QStringLiteral("5 0 5"), QStringLiteral("9 9 -")}));
+        QCOMPARE(table, QStringList({u"3 2 15"_s, u"5 0 5"_s, u"9 9 -"_s}));
         QVERIFY(departure(pictureBy(u"point-address", points, scene.frame),
                           truthOf(points, scene.frame))
                     .isEmpty());
-        QCOMPARE(textOf(truthOf(points, frameOf(6, 3))),
-                 QStringLiteral("...#..\n......\n.....#\n"));
+        QCOMPARE(textOf(truthOf(points, frameOf(6, 3))), u"...#..\n......\n.....#\n"_s);
     }
 };
 

@@ -135,9 +135,8 @@ private slots:
                     continue;
                 const MeshFaults faults = faultsOf(mesh, method, settings);
                 QVERIFY2(faults == MeshFaults(),
-                         qPrintable(QStringLiteral("%1 holes, %2 doubles; seed %3, %4 triangles "
-                                                   "from (%5, %6) in steps of %7/256 px")
-                                        .arg(faults.holes)
+                         qPrintable(u"%1 holes, %2 doubles; seed %3, %4 triangles "
+                                    "from (%5, %6) in steps of %7/256 px"_s.arg(faults.holes)
                                         .arg(faults.doubles)
                                         .arg(seed)
                                         .arg(mesh.triangles.size())

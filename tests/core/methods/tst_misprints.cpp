@@ -19,7 +19,7 @@ namespace {
 
 QString textOfTest(const QString &file)
 {
-    QFile source(resource(QStringLiteral("/../tests/")) + file);
+    QFile source(resource(u"/../tests/"_s) + file);
     return source.open(QIODevice::ReadOnly) ? QString::fromUtf8(source.readAll()) : QString();
 }
 
@@ -33,26 +33,26 @@ class TestMisprints : public QObject {
 private slots:
     void everyMisprintOfTheListHasItsTest()
     {
-        QFile file(resource(QStringLiteral("/misprints.md")));
+        QFile file(resource(u"/misprints.md"_s));
         QVERIFY(file.open(QIODevice::ReadOnly));
         const QString list = QString::fromUtf8(file.readAll());
         // One or more test functions here, or in another named file.
-        const QRegularExpression pattern(QStringLiteral(
-            "\\*\\*Test:\\*\\* ((?:`\\w+`(?: and )?)+)(?:\\s+in\\s+`tests/([\\w/]+\\.cpp)`)?"));
+        const QRegularExpression pattern(
+            u"\\*\\*Test:\\*\\* ((?:`\\w+`(?: and )?)+)(?:\\s+in\\s+`tests/([\\w/]+\\.cpp)`)?"_s);
         int named = 0;
         for (auto match = pattern.globalMatch(list); match.hasNext(); ++named) {
             const QRegularExpressionMatch test = match.next();
             const QString elsewhere = test.captured(2);
             const QString source = elsewhere.isEmpty() ? QString() : textOfTest(elsewhere);
-            for (const QString &slot : test.captured(1).split(QStringLiteral(" and "))) {
-                const QString call = slot.sliced(1).chopped(1) + QStringLiteral("()");
+            for (const QString &slot : test.captured(1).split(u" and "_s)) {
+                const QString call = slot.sliced(1).chopped(1) + u"()"_s;
                 const bool exists = elsewhere.isEmpty()
                     ? metaObject()->indexOfSlot(call.toLatin1().constData()) >= 0
-                    : source.contains(QStringLiteral("void ") + call);
+                    : source.contains(u"void "_s + call);
                 QVERIFY2(exists, qPrintable(call));
             }
         }
-        QCOMPARE(named, int(list.count(QStringLiteral("\n## "))));
+        QCOMPARE(named, int(list.count(u"\n## "_s)));
     }
 
     void theLineOfTheFirstSlideIsBelowOnlyWhereItRunsToTheRight()

@@ -101,7 +101,7 @@ private slots:
             const Shape shape = anyPolygon(dice, 24 * 256 / grid, grid);
             const Scene scene = sceneOf({shape}, frameOf(24, 24), "polygon-parity");
             if (drawn(scene) != truthOf(scene))
-                QFAIL(qPrintable(QStringLiteral("seed %1, ").arg(seed) + contoursText(shape)));
+                QFAIL(qPrintable(u"seed %1, "_s.arg(seed) + contoursText(shape)));
         }
     }
 
@@ -114,7 +114,7 @@ private slots:
                 = moved(anyPolygon(dice, 24 * 256, 1), latticePixel(far, -std::int64_t(far)));
             const Scene scene = sceneOf({shape}, frameOf(24, 24, far, -far), "polygon-parity");
             if (drawn(scene) != truthOf(scene))
-                QFAIL(qPrintable(QStringLiteral("seed %1, ").arg(seed) + contoursText(shape)));
+                QFAIL(qPrintable(u"seed %1, "_s.arg(seed) + contoursText(shape)));
         }
     }
 
@@ -129,7 +129,7 @@ private slots:
             const Shape shape = polygonOf({contour}, fills[seed % 2]);
             const Scene scene = sceneOf({shape}, frameOf(20, 20, -10, -10), "polygon-parity");
             if (drawn(scene) != truthOf(scene))
-                QFAIL(qPrintable(QStringLiteral("seed %1, ").arg(seed) + contoursText(shape)));
+                QFAIL(qPrintable(u"seed %1, "_s.arg(seed) + contoursText(shape)));
         }
     }
 
@@ -175,8 +175,7 @@ private slots:
                     const int owners = int(oracle::polygonCovers(polygonOf({below}), origin, x, y))
                         + int(oracle::polygonCovers(polygonOf({above}), origin, x, y));
                     if (owners % 2 != int(inSquare))
-                        QFAIL(qPrintable(
-                            QStringLiteral("seed %1 at (%2, %3)").arg(seed).arg(x).arg(y)));
+                        QFAIL(qPrintable(u"seed %1 at (%2, %3)"_s.arg(seed).arg(x).arg(y)));
                 }
             }
         }

@@ -124,8 +124,7 @@ private slots:
             const CasePicture truth = truthOf(curve, frame);
             QVERIFY(truth.isWritten(0, 0));
             const QString parts = departure(pictureBy(u"bezier-subdivision", curve, frame), truth);
-            QVERIFY2(parts.isEmpty(),
-                     qPrintable(QStringLiteral("seed 43, ") + nameOf(curve) + parts));
+            QVERIFY2(parts.isEmpty(), qPrintable(u"seed 43, "_s + nameOf(curve) + parts));
         }
     }
 
@@ -137,9 +136,8 @@ private slots:
         TraceExportOptions options;
         options.level = TraceLevel::Column;
         options.format = TableFormat::Csv;
-        options.columns = {QStringLiteral("depth"), QStringLiteral("t_from_exact"),
-                           QStringLiteral("t_to_exact"), QStringLiteral("x_0_exact"),
-                           QStringLiteral("y_3_exact")};
+        options.columns
+            = {u"depth"_s, u"t_from_exact"_s, u"t_to_exact"_s, u"x_0_exact"_s, u"y_3_exact"_s};
         const QByteArray text = exported(*traced, options);
         QVERIFY(!text.isEmpty());
         int deepest = 0;

@@ -135,9 +135,8 @@ private slots:
                 for (int i = 0; i < fewerIfSanitized(60); ++i) {
                     const Triangle triangle = randomTriangle(random, drawn.spec(), step);
                     settings.rounding = i % 4 == 0 ? ByteRounding::Truncate : ByteRounding::Nearest;
-                    QVERIFY2(
-                        drawsTheTruth(method, triangle, settings, drawn, truth),
-                        qPrintable(QStringLiteral("seed %1, origin %2").arg(seed).arg(origin)));
+                    QVERIFY2(drawsTheTruth(method, triangle, settings, drawn, truth),
+                             qPrintable(u"seed %1, origin %2"_s.arg(seed).arg(origin)));
                 }
             }
         }
@@ -163,7 +162,7 @@ private slots:
                 points[1] = {-points[2].x, -points[2].y};
             ScanPicture drawn(frameOf(12, 10, -5, -5)), truth(frameOf(12, 10, -5, -5));
             QVERIFY2(drawsTheTruth(method, triangleOf(points), settings, drawn, truth),
-                     qPrintable(QStringLiteral("seed %1").arg(seed)));
+                     qPrintable(u"seed %1"_s.arg(seed)));
         }
     }
 
@@ -177,7 +176,7 @@ private slots:
             scene.triangles = {triangle};
             return traceScene(scene)->trace->setUp(0).cells.back();
         };
-        QCOMPARE(method.numbers.setUp.back().title, QStringLiteral("proved₀₂"));
+        QCOMPARE(method.numbers.setUp.back().title, u"proved₀₂"_s);
         // W'·H' = 2^20 · 2^20, then one row more.
         QCOMPARE(isProved(triangleOf({{{0, 0}, {1 << 20, 1 << 20}, {0, 300}}})),
                  Quantity::integer(1));

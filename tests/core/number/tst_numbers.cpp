@@ -79,8 +79,8 @@ private slots:
 
     void minusSignsStandForHyphensOfNumbersAlone()
     {
-        QCOMPARE(withMinus(QStringLiteral("column-scan of (-4, -1/3): 1e-07, off-screen 2-3 -inf")),
-                 QStringLiteral("column-scan of (−4, −1/3): 1e−07, off-screen 2-3 −inf"));
+        QCOMPARE(withMinus(u"column-scan of (-4, -1/3): 1e-07, off-screen 2-3 -inf"_s),
+                 u"column-scan of (−4, −1/3): 1e−07, off-screen 2-3 −inf"_s);
     }
 
     void tellsTheErrorOfATinyDriftWithItsSign()

@@ -76,11 +76,11 @@ private slots:
         Primitives primitives = oneSlope(vertices);
         setMaterial(primitives, checker(TextureWrap::Repeat));
 
-        QCOMPARE(rowText(primitives), QStringLiteral("####...##..##.#.#"));
+        QCOMPARE(rowText(primitives), u"####...##..##.#.#"_s);
         primitives.appearance.forced[Effect::Perspective] = Forcing::Off;
-        QCOMPARE(rowText(primitives), QStringLiteral("##..##..##..##..#"));
+        QCOMPARE(rowText(primitives), u"##..##..##..##..#"_s);
         primitives.appearance.forced[Effect::Texture] = Forcing::Off;
-        QCOMPARE(rowText(primitives), QStringLiteral("#################"));
+        QCOMPARE(rowText(primitives), u"#################"_s);
     }
 
     void aTexelBeginsOnItsBorder_data()
@@ -88,18 +88,14 @@ private slots:
         QTest::addColumn<int>("sixteenths"); // u at x = 16, in 1/16
         QTest::addColumn<TextureWrap>("wrap");
         QTest::addColumn<QString>("row");
-        QTest::newRow("rising, repeated")
-            << 16 << TextureWrap::Repeat << QStringLiteral("##..##..##..##..#");
-        QTest::newRow("rising, clamped")
-            << 16 << TextureWrap::Clamp << QStringLiteral("##..##..##..##...");
+        QTest::newRow("rising, repeated") << 16 << TextureWrap::Repeat << u"##..##..##..##..#"_s;
+        QTest::newRow("rising, clamped") << 16 << TextureWrap::Clamp << u"##..##..##..##..."_s;
         QTest::newRow("falling below 0, repeated")
-            << -16 << TextureWrap::Repeat << QStringLiteral("#..##..##..##..##");
+            << -16 << TextureWrap::Repeat << u"#..##..##..##..##"_s;
         QTest::newRow("falling below 0, clamped")
-            << -16 << TextureWrap::Clamp << QStringLiteral("#################");
-        QTest::newRow("twice, repeated")
-            << 32 << TextureWrap::Repeat << QStringLiteral("#.#.#.#.#.#.#.#.#");
-        QTest::newRow("twice, clamped")
-            << 32 << TextureWrap::Clamp << QStringLiteral("#.#.#.#..........");
+            << -16 << TextureWrap::Clamp << u"#################"_s;
+        QTest::newRow("twice, repeated") << 32 << TextureWrap::Repeat << u"#.#.#.#.#.#.#.#.#"_s;
+        QTest::newRow("twice, clamped") << 32 << TextureWrap::Clamp << u"#.#.#.#.........."_s;
     }
     void aTexelBeginsOnItsBorder()
     {

@@ -123,7 +123,7 @@ private slots:
                     for (std::int64_t x = -16; x < 16; ++x)
                         QVERIFY2(oracle::covers(shape, FrameOrigin::BottomLeft, x, y)
                                      == truth.isWritten(x, y),
-                                 qPrintable(QStringLiteral("seed 29, ") + nameOf(shape)));
+                                 qPrintable(u"seed 29, "_s + nameOf(shape)));
                 }
             }
         }
@@ -146,7 +146,7 @@ private slots:
             const CasePicture picture = truthOf(curve, frameOf(64, 64, -2, -2));
             const PixelSet truth = pixelsOf(picture);
             const PixelSet sampled = sampledPixels(curve, parts);
-            const QByteArray name = qPrintable(QStringLiteral("seed 53, ") + nameOf(curve));
+            const QByteArray name = qPrintable(u"seed 53, "_s + nameOf(curve));
             QVERIFY2(std::ranges::includes(truth, sampled), name.constData());
             for (const auto &[x, y] : truth)
                 QVERIFY2(sampled.contains({x, y}) || comesNear(curve, parts, x, y),
@@ -205,7 +205,7 @@ private slots:
             const Shape curve = bezierAt({latticePixel(x0, y0), middle, latticePixel(x1, y1)});
             QVERIFY2(textOf(truthOf(curve, frame))
                          == textOf(truthOf(lineAt(x0, y0, x1, y1), frame)),
-                     qPrintable(QStringLiteral("seed 59, ") + nameOf(curve)));
+                     qPrintable(u"seed 59, "_s + nameOf(curve)));
         }
     }
 };

@@ -26,21 +26,21 @@ private slots:
         Primitives risingFirst = oneSlope(rising, white);
         addSlope(risingFirst, atDepth(attribute(1, 2)), black);
 
-        QCOMPARE(rowText(levelFirst), QStringLiteral("#########........"));
-        QCOMPARE(rowText(risingFirst), QStringLiteral("########........."));
+        QCOMPARE(rowText(levelFirst), u"#########........"_s);
+        QCOMPARE(rowText(risingFirst), u"########........."_s);
     }
 
     void withoutDepthTheLaterTriangleShows()
     {
         Primitives primitives = oneSlope(atDepth(0), black);
         addSlope(primitives, atDepth(attributeOne), white);
-        QCOMPARE(rowText(primitives), QStringLiteral("................."));
+        QCOMPARE(rowText(primitives), u"................."_s);
 
         primitives.appearance.depth = DepthUse::Off;
-        QCOMPARE(rowText(primitives), QStringLiteral("#################"));
+        QCOMPARE(rowText(primitives), u"#################"_s);
         primitives.appearance.depth = DepthUse::On;
         primitives.appearance.forced[Effect::Depth] = Forcing::Off;
-        QCOMPARE(rowText(primitives), QStringLiteral("#################"));
+        QCOMPARE(rowText(primitives), u"#################"_s);
     }
 
     void aLastBitOfDepthCountsInTheExactBufferAlone()
@@ -49,16 +49,16 @@ private slots:
         Primitives primitives = oneSlope(atDepth(attribute(1, 2)), white);
         addSlope(primitives, atDepth(attribute(1, 2) + 1), black);
 
-        QCOMPARE(rowText(primitives), QStringLiteral("#################"));
+        QCOMPARE(rowText(primitives), u"#################"_s);
         primitives.appearance.depthFormat = DepthFormat::Bits16;
-        QCOMPARE(rowText(primitives), QStringLiteral("................."));
+        QCOMPARE(rowText(primitives), u"................."_s);
         // (1/2 + 2^-24)(2^24 - 1) + 1/2 = 8388608 + 1 - 2^-24: one above the level of 1/2.
         primitives.appearance.depthFormat = DepthFormat::Bits24;
         QCOMPARE(sampleOf(primitives, 3, 0).depth, Quantity::integer(8388608));
-        QCOMPARE(rowText(primitives), QStringLiteral("................."));
+        QCOMPARE(rowText(primitives), u"................."_s);
         // 2^-24 is 256 of the 32-bit levels.
         primitives.appearance.depthFormat = DepthFormat::Bits32;
-        QCOMPARE(rowText(primitives), QStringLiteral("#################"));
+        QCOMPARE(rowText(primitives), u"#################"_s);
     }
 
     void levelsOfDepthAreClampedAndRounded_data()
@@ -92,7 +92,7 @@ private slots:
         Primitives primitives = oneSlope(atDepth(attribute(3)), white);
         addSlope(primitives, atDepth(attribute(2)), black);
         addSlope(primitives, atDepth(attribute(5, 2)), white);
-        QCOMPARE(rowText(primitives, 1), QStringLiteral("."));
+        QCOMPARE(rowText(primitives, 1), u"."_s);
     }
 
     void blendingRoundsToTheNearestByte()
@@ -205,8 +205,8 @@ private slots:
         primitives.attributes = {{0, vertices}};
         const auto sample = oracle::effectSampleAt(primitives, 0, ByteRounding::Nearest, {}, 4, 0);
         QVERIFY(sample.has_value());
-        QCOMPARE(toText(sample->levels[0]), QStringLiteral("63 3/4"));
-        QCOMPARE(toText(sample->z), QStringLiteral("1/2"));
+        QCOMPARE(toText(sample->levels[0]), u"63 3/4"_s);
+        QCOMPARE(toText(sample->z), u"1/2"_s);
         QCOMPARE(sample->interpolated, (Colour{{64, 64, 64}}));
     }
 };

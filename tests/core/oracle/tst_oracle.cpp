@@ -191,8 +191,8 @@ private slots:
         const Triangle triangle = triangleAtUnits({1024, 1280}, {14848, 3072}, {6784, 11264});
         const auto column = oracle::columnAt(triangle, FillRule::Closed, 27);
         QVERIFY(column.has_value());
-        QCOMPARE(toText(column->yBottom), QStringLiteral("7 53/54")); // 5 + 23·7/54
-        QCOMPARE(toText(column->yTop), QStringLiteral("43 31/63")); // 44 − (1/2)·(64/63)
+        QCOMPARE(toText(column->yBottom), u"7 53/54"_s); // 5 + 23·7/54
+        QCOMPARE(toText(column->yTop), u"43 31/63"_s); // 44 − (1/2)·(64/63)
         QCOMPARE(column->firstRow, std::int64_t(8));
         QCOMPARE(column->endRow, std::int64_t(44));
         QVERIFY(!oracle::columnAt(triangle, FillRule::Closed, 3).has_value());
@@ -205,7 +205,7 @@ private slots:
         QVERIFY(!verdict.covered);
         QVERIFY(verdict.edges[0].accepts);
         QVERIFY(!verdict.edges[1].accepts); // x + y = 8, the sample is at 11
-        QCOMPARE(toText(verdict.edges[1].distanceAlongColumn), QStringLiteral("-3"));
+        QCOMPARE(toText(verdict.edges[1].distanceAlongColumn), u"-3"_s);
         QVERIFY(qAbs(verdict.edges[1].distance + 3 / std::sqrt(2.0)) < 1e-12);
         QVERIFY(oracle::covers(triangle, FillRule::Closed, 4, 4));
         QVERIFY(!oracle::covers(triangle, FillRule::HalfOpenColumn, 4, 4));

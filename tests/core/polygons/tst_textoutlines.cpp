@@ -70,7 +70,7 @@ private slots:
             const auto rejected = rejectedPrimitives(SceneRun(scene));
             QCOMPARE(rejected.size(), std::size_t(1));
             QVERIFY(rejected.front().rejection == PrimitiveRejection::NoOutline);
-            QVERIFY(rejected.front().message().contains(QStringLiteral("has no outline")));
+            QVERIFY(rejected.front().message().contains(u"has no outline"_s));
         }
     }
 
@@ -92,16 +92,16 @@ private slots:
         // The L of DejaVu Sans: a stem from 201 to 403 and a foot up to 170, in 1/2048 em.
         QCOMPARE(drawn(sceneOf({textOf("L", latticePixel(0, 0), 12 * 256)}, frameOf(8, 10),
                                "text-outlines")),
-                 QStringLiteral("........\n"
-                                "..#.....\n"
-                                "..#.....\n"
-                                "..#.....\n"
-                                "..#.....\n"
-                                "..#.....\n"
-                                "..#.....\n"
-                                "..#.....\n"
-                                "..#.....\n"
-                                "........\n"));
+                 u"........\n"
+                 "..#.....\n"
+                 "..#.....\n"
+                 "..#.....\n"
+                 "..#.....\n"
+                 "..#.....\n"
+                 "..#.....\n"
+                 "..#.....\n"
+                 "..#.....\n"
+                 "........\n"_s);
     }
 
     void textStandsUprightWhereYGrowsDownward()

@@ -98,7 +98,7 @@ private slots:
             ++drawnPolygons;
             const Scene scene = sceneOf({shape}, frameOf(22, 22), "polygon-fan");
             if (drawn(scene) != truthOf(scene))
-                QFAIL(qPrintable(QStringLiteral("seed %1, ").arg(seed) + contoursText(shape)));
+                QFAIL(qPrintable(u"seed %1, "_s.arg(seed) + contoursText(shape)));
         }
         QVERIFY(drawnPolygons > 300);
     }
@@ -172,7 +172,7 @@ private slots:
             ++drawnPolygons;
             const Scene scene = sceneOf({shape}, frameOf(22, 22), "polygon-delaunay");
             if (drawn(scene) != truthOf(scene))
-                QFAIL(qPrintable(QStringLiteral("seed %1, ").arg(seed) + contoursText(shape)));
+                QFAIL(qPrintable(u"seed %1, "_s.arg(seed) + contoursText(shape)));
         }
         QVERIFY(drawnPolygons > 400);
         QVERIFY(refused > 400);
@@ -219,7 +219,7 @@ private slots:
                 {anyContour(dice, 20 * 256, 1), anyContour(dice, 20 * 256, 1)}, fills[seed % 2]);
             const auto traced
                 = traceScene(sceneOf({shape}, frameOf(22, 22), "polygon-tessellation"));
-            const QString where = QStringLiteral("seed %1, ").arg(seed) + contoursText(shape);
+            const QString where = u"seed %1, "_s.arg(seed) + contoursText(shape);
             QVERIFY2(!traced->trace->setUp(0).rejection, qPrintable(where));
             crossings += int(setUpNumber(*traced, "crossing_points").toDouble());
             QVERIFY(setUpNumber(*traced, "moved").toDouble() <= farthest);
@@ -230,8 +230,7 @@ private slots:
                     ++wrong;
                     QVERIFY2(distanceToEdges(shape, x, y) <= farthest, qPrintable(where));
                     const QString reason = pixelHistory(*traced, x, y).front().reason;
-                    QVERIFY2(reason.contains(QStringLiteral("crossings were moved")),
-                             qPrintable(reason));
+                    QVERIFY2(reason.contains(u"crossings were moved"_s), qPrintable(reason));
                 }
             }
         }
@@ -285,7 +284,7 @@ private slots:
                 }
                 std::ranges::sort(written);
                 QVERIFY2(std::ranges::adjacent_find(written) == written.end(),
-                         qPrintable(QStringLiteral("seed %1, ").arg(seed) + contoursText(shape)));
+                         qPrintable(u"seed %1, "_s.arg(seed) + contoursText(shape)));
                 for (std::size_t span = 0; span < traced->trace->spanCount(); ++span) {
                     const SpanRecord row = traced->trace->span(span);
                     QCOMPARE(row.cells.size(), traced->method->numbers.span.size());
@@ -304,7 +303,7 @@ private slots:
                                       latticePixel(far, -std::int64_t(far)));
             const Scene scene = sceneOf({shape}, frameOf(22, 22, far, -far), "polygon-delaunay");
             if (!rejectionOf(shape, "polygon-delaunay") && drawn(scene) != truthOf(scene))
-                QFAIL(qPrintable(QStringLiteral("seed %1, ").arg(seed) + contoursText(shape)));
+                QFAIL(qPrintable(u"seed %1, "_s.arg(seed) + contoursText(shape)));
         }
     }
 };

@@ -111,10 +111,8 @@ private slots:
             const std::int64_t down = std::exchange(before, y) - y;
             const bool isSteep = a != b && step.count("arc") == 2;
             if (step.cell("p_k").isNone()) {
-                QVERIFY2(sentence.contains(QStringLiteral("without a decision")),
-                         qPrintable(sentence));
-                QCOMPARE(sentence.contains(QStringLiteral("x_k in rows and y_k in columns")),
-                         isSteep);
+                QVERIFY2(sentence.contains(u"without a decision"_s), qPrintable(sentence));
+                QCOMPARE(sentence.contains(u"x_k in rows and y_k in columns"_s), isSteep);
                 return;
             }
             // 4·F at the midpoint below the previous row.
@@ -122,29 +120,29 @@ private slots:
             const std::int64_t row = 2 * (y + down) - 1;
             const std::int64_t f = 4 * across * across * x * x + along * along * row * row
                 - 4 * along * along * across * across;
-            const QString side = f > 0 ? QStringLiteral(" > 0: the midpoint is outside,")
-                : f < 0                ? QStringLiteral(" < 0: the midpoint is inside,")
-                                       : QStringLiteral("p_k = 0: the midpoint is on the curve,");
+            const QString side = f > 0 ? u" > 0: the midpoint is outside,"_s
+                : f < 0                ? u" < 0: the midpoint is inside,"_s
+                                       : u"p_k = 0: the midpoint is on the curve,"_s;
             QVERIFY2(sentence.contains(side), qPrintable(sentence));
-            QVERIFY2(sentence.contains(f > 0 ? QStringLiteral("inwards, to %1;").arg(y)
-                                             : QStringLiteral("y_k stays %1;").arg(y)),
-                     qPrintable(sentence));
+            QVERIFY2(
+                sentence.contains(f > 0 ? u"inwards, to %1;"_s.arg(y) : u"y_k stays %1;"_s.arg(y)),
+                qPrintable(sentence));
             QCOMPARE(f > 0, down > 0);
-            QCOMPARE(sentence.contains(QStringLiteral("column")), isSteep && down > 0);
+            QCOMPARE(sentence.contains(u"column"_s), isSteep && down > 0);
             if (down > 1)
                 return;
             const bool isCircle = a == b;
             const std::int64_t increment = isCircle
                 ? 2 * x + 1 - down * 2 * y
                 : across * across * (2 * x + 1) - down * 2 * along * along * y;
-            const QString radii = isSteep ? QStringLiteral("r_x²·(2x_k + 1) − 2r_y²·y_k")
-                                          : QStringLiteral("r_y²·(2x_k + 1) − 2r_x²·y_k");
-            const QString formula = isCircle ? QStringLiteral("2x_k + 1 − 2y_k") : radii;
-            const qsizetype stays = formula.indexOf(QStringLiteral(" − "));
-            QVERIFY2(sentence.endsWith(QStringLiteral("Δp = %1 = %2.")
-                                           .arg(down == 0 ? formula.first(stays) : formula)
-                                           .arg(QString::number(increment).replace(u'-', u'−'))),
-                     qPrintable(sentence));
+            const QString radii
+                = isSteep ? u"r_x²·(2x_k + 1) − 2r_y²·y_k"_s : u"r_y²·(2x_k + 1) − 2r_x²·y_k"_s;
+            const QString formula = isCircle ? u"2x_k + 1 − 2y_k"_s : radii;
+            const qsizetype stays = formula.indexOf(u" − "_s);
+            QVERIFY2(
+                sentence.endsWith(u"Δp = %1 = %2."_s.arg(down == 0 ? formula.first(stays) : formula)
+                                      .arg(QString::number(increment).replace(u'-', u'−'))),
+                qPrintable(sentence));
         });
     }
 
@@ -165,8 +163,7 @@ private slots:
         });
         QVERIFY(crossings > 0);
         const auto &numbers = methodNamed(u"circle-midpoint")->numbers.span;
-        const auto decision
-            = std::ranges::find(numbers, QStringLiteral("p_k"), &NumberDescription::id);
+        const auto decision = std::ranges::find(numbers, u"p_k"_s, &NumberDescription::id);
         QVERIFY(decision->toolTip.contains(u"the y_k of the step before and the one inwards"));
     }
 
@@ -181,13 +178,12 @@ private slots:
                     const double d = x - 20 - 70 / 256.0;
                     const double h = 13.0 / 9 * std::sqrt(81 - d * d);
                     const double centre = 19 + 30 / 256.0;
-                    QVERIFY2(step.sentence().endsWith(
-                                 QStringLiteral("which rounds to the rows %1 and %2.")
-                                     .arg(std::lround(centre + h))
-                                     .arg(std::lround(centre - h))),
+                    QVERIFY2(step.sentence().endsWith(u"which rounds to the rows %1 and %2."_s
+                                                          .arg(std::lround(centre + h))
+                                                          .arg(std::lround(centre - h))),
                              qPrintable(step.sentence()));
                     QVERIFY(step.sentence().startsWith(
-                        QStringLiteral("On the column %1 the curve is h from y_c").arg(x)));
+                        u"On the column %1 the curve is h from y_c"_s.arg(x)));
                 },
                 arithmetic);
         }
@@ -202,10 +198,8 @@ private slots:
                 const LatticePoint nearest = {std::lround(20 + 9 * std::cos(angle)),
                                               std::lround(18 + 9 * std::sin(angle))};
                 QCOMPARE(pixelsNamed(step.sentence()), std::vector<LatticePoint>{nearest});
-                QVERIFY(step.sentence().startsWith(
-                    QStringLiteral("At θ = %1 the curve is at (%2, %3)")
-                        .arg(term(step.cell("theta")), term(step.cell("u")),
-                             term(step.cell("v")))));
+                QVERIFY(step.sentence().startsWith(u"At θ = %1 the curve is at (%2, %3)"_s.arg(
+                    term(step.cell("theta")), term(step.cell("u")), term(step.cell("v")))));
             },
             Arithmetic::Float64);
     }
@@ -227,22 +221,22 @@ private slots:
                 return;
             const double from = step.cell("t_from").toDouble(), to = step.cell("t_to").toDouble();
             const int places = std::max(6, int(step.count("depth")) / 3 + 2);
-            const QString ends = QStringLiteral("From t = %1 to t = %2 the curve ");
+            const QString ends = u"From t = %1 to t = %2 the curve "_s;
             QVERIFY2(sentence.startsWith(ends.arg(term(step.cell("t_from"), places),
                                                   term(step.cell("t_to"), places))),
                      qPrintable(sentence));
             QVERIFY(term(step.cell("t_from"), places) != term(step.cell("t_to"), places));
             const bool isWithinOne = step.count("a_low") == step.count("a_high")
                 && step.count("b_low") == step.count("b_high");
-            QCOMPARE(sentence.contains(QStringLiteral("stays within one diamond")), isWithinOne);
+            QCOMPARE(sentence.contains(u"stays within one diamond"_s), isWithinOne);
             const std::vector<LatticePoint> named = pixelsNamed(sentence);
-            if (sentence.contains(QStringLiteral("passes one side"))) {
-                static const QRegularExpression along(QStringLiteral(
-                    "diamond: (a only (grows|falls) .*, and b|b only (grows|falls) .*, and a) "
-                    "stays within -?−?\\d+\\."));
+            if (sentence.contains(u"passes one side"_s)) {
+                static const QRegularExpression along(
+                    u"diamond: (a only (grows|falls) .*, and b|b only (grows|falls) .*, and a) "
+                    "stays within -?−?\\d+\\."_s);
                 QVERIFY2(along.match(sentence).hasMatch(), qPrintable(sentence));
             }
-            const bool isHalved = sentence.endsWith(QStringLiteral("it is halved."));
+            const bool isHalved = sentence.endsWith(u"it is halved."_s);
             QCOMPARE(step.count("decided"), std::int64_t(isHalved ? 0 : 1));
             if (isHalved) {
                 QVERIFY(named.empty());

@@ -27,7 +27,7 @@ public:
             return;
         Finding &finding = m_findings[check.sentence];
         if (finding.count++ == 0)
-            finding.first = where + QStringLiteral(": ") + fault;
+            finding.first = where + u": "_s + fault;
     }
 
     /// One line per check; empty if nothing was found.
@@ -35,8 +35,8 @@ public:
     {
         QString text;
         for (const auto &[sentence, finding] : m_findings)
-            text += QStringLiteral("\nNot so: %1. In %2 runs, first in %3")
-                        .arg(sentence, QString::number(finding.count), finding.first);
+            text += u"\nNot so: %1. In %2 runs, first in %3"_s.arg(
+                sentence, QString::number(finding.count), finding.first);
         return text;
     }
 
@@ -51,8 +51,7 @@ private:
 /// The default triangle by the column scan.
 CheckedRun exampleRun()
 {
-    return checkedRunOf(QStringLiteral("default"), RunOrigin::Scene,
-                        defaultSceneIn(Arithmetic::Exact));
+    return checkedRunOf(u"default"_s, RunOrigin::Scene, defaultSceneIn(Arithmetic::Exact));
 }
 
 /// The run's trace, so that a test can make it inconsistent with the rest.
@@ -145,7 +144,7 @@ private slots:
         const auto faultOf = [&](const CheckedRun &run) {
             std::vector<RunCheck> checks = runChecks(folder);
             const auto check = std::ranges::find(checks, sentence, &RunCheck::sentence);
-            return check == checks.end() ? QStringLiteral("no such check") : check->faultOf(run);
+            return check == checks.end() ? u"no such check"_s : check->faultOf(run);
         };
         CheckedRun run = exampleRun();
         QCOMPARE(faultOf(run), QString());

@@ -88,9 +88,8 @@ private slots:
         }
         const auto run = traceScene(scene);
         const auto &numbers = run->trace->numbers().sample;
-        const auto column
-            = std::size_t(std::ranges::find(numbers, QStringLiteral("q"), &NumberDescription::id)
-                          - numbers.begin());
+        const auto column = std::size_t(std::ranges::find(numbers, u"q"_s, &NumberDescription::id)
+                                        - numbers.begin());
         bool isFound = false;
         for (std::size_t span = 0; span < run->trace->spanCount(); ++span) {
             const std::vector<SampleRecord> samples = run->trace->samples(span);

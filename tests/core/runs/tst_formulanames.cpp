@@ -18,10 +18,9 @@ private slots:
     void everyNameBecomesItsNumber()
     {
         FormulaNames names;
-        names.add(QStringLiteral("y_B"), Quantity::rational(-3, 2), Quantity::integer(7));
-        names.add(QStringLiteral("Δy"), Quantity::integer(-2));
-        QCOMPARE(names.substituted(QStringLiteral("t = y_B′ + Δy·y_B"), QStringLiteral("t")),
-                 QStringLiteral("7 + (−2)·(−1 1/2)"));
+        names.add(u"y_B"_s, Quantity::rational(-3, 2), Quantity::integer(7));
+        names.add(u"Δy"_s, Quantity::integer(-2));
+        QCOMPARE(names.substituted(u"t = y_B′ + Δy·y_B"_s, u"t"_s), u"7 + (−2)·(−1 1/2)"_s);
     }
 
     /// In a sum close to a whole number, the shown digits add up to the same side of it.
@@ -39,29 +38,28 @@ private slots:
             if (sum == 12)
                 continue;
             FormulaNames names;
-            names.add(QStringLiteral("a"), Quantity::of(a));
-            names.add(QStringLiteral("b"), Quantity::of(b));
-            QString shown = names.substituted(QStringLiteral("s = a + b"), QStringLiteral("s"),
-                                              placesOfOperands(Quantity::of(sum)));
+            names.add(u"a"_s, Quantity::of(a));
+            names.add(u"b"_s, Quantity::of(b));
+            QString shown
+                = names.substituted(u"s = a + b"_s, u"s"_s, placesOfOperands(Quantity::of(sum)));
             double shownSum = 0;
-            for (QString operand : shown.split(QStringLiteral(" + ")))
+            for (QString operand : shown.split(u" + "_s))
                 shownSum += operand.remove(u'(')
                                 .remove(u')')
                                 .remove(u'…')
                                 .replace(u'−', u'-')
                                 .toDouble();
             QVERIFY2((shownSum > 12) == (sum > 12),
-                     qPrintable(QStringLiteral("%1 is %2").arg(shown).arg(sum, 0, 'g', 17)));
+                     qPrintable(u"%1 is %2"_s.arg(shown).arg(sum, 0, 'g', 17)));
         }
     }
 
     void anOrdinarySumHasSixDigits()
     {
         FormulaNames names;
-        names.add(QStringLiteral("a"), Quantity::of(1 / 3.0));
-        QCOMPARE(names.substituted(QStringLiteral("s = a"), QStringLiteral("s"),
-                                   placesOfOperands(Quantity::of(12.3))),
-                 QStringLiteral("0.333333…"));
+        names.add(u"a"_s, Quantity::of(1 / 3.0));
+        QCOMPARE(names.substituted(u"s = a"_s, u"s"_s, placesOfOperands(Quantity::of(12.3))),
+                 u"0.333333…"_s);
     }
 };
 

@@ -89,10 +89,9 @@ private slots:
     {
         const Scene line = lineScene({{10, 20, 30}}, {{10, 20, 30}});
         QCOMPARE(idleReason(DrawingSetting::FillRule, line),
-                 QStringLiteral("keeps the fill rule “closed” alone: a line has no inside that an "
-                                "edge could bound"));
-        QCOMPARE(idleReason(DrawingSetting::Arithmetic, line),
-                 QStringLiteral("computes in “exact” alone"));
+                 u"keeps the fill rule “closed” alone: a line has no inside that an "
+                 "edge could bound"_s);
+        QCOMPARE(idleReason(DrawingSetting::Arithmetic, line), u"computes in “exact” alone"_s);
     }
 
     void nothingIsIdleBeforeSomethingIsDrawn()

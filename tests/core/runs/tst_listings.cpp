@@ -103,11 +103,9 @@ private slots:
                 names.merge(vertexNames(scene.triangles.front(), scene.frame));
             ListingRun run(pseudocodeOf(*traced, 0), names, boxOf(*traced));
             const QString departure = departureOf(run, *traced);
-            QVERIFY2(departure.isEmpty(),
-                     qPrintable(QStringLiteral("seed %1, triangle %2: %3")
-                                    .arg(edgeTestSeed)
-                                    .arg(i)
-                                    .arg(departure)));
+            QVERIFY2(
+                departure.isEmpty(),
+                qPrintable(u"seed %1, triangle %2: %3"_s.arg(edgeTestSeed).arg(i).arg(departure)));
             drawn += run.pixels().size();
         }
         QVERIFY(drawn > std::size_t(4 * count));
@@ -166,16 +164,14 @@ private slots:
                 b = {rounded(b.x), rounded(b.y)};
             }
             addColours(names, a, b, line);
-            const bool isExchanged = id != QStringLiteral("line-slope-intercept")
-                && id != QStringLiteral("line-parametric") && isSteep(a, b);
+            const bool isExchanged
+                = id != u"line-slope-intercept"_s && id != u"line-parametric"_s && isSteep(a, b);
             ListingRun run(pseudocodeOf(*traced, 0), names, frameBox(scene.frame),
                            ListingRun::SetUp::Given,
                            isExchanged ? ListingRun::Exchange::Axes : ListingRun::Exchange::None);
             const QString departure = departureOf(run, *traced);
-            QVERIFY2(
-                departure.isEmpty(),
-                qPrintable(
-                    QStringLiteral("seed %1, %2: %3").arg(lineSeed).arg(nameOf(line), departure)));
+            QVERIFY2(departure.isEmpty(),
+                     qPrintable(u"seed %1, %2: %3"_s.arg(lineSeed).arg(nameOf(line), departure)));
             drawn += run.pixels().size();
         }
         QVERIFY(drawn > 300);
@@ -194,7 +190,7 @@ private slots:
             const auto traced = traceScene(scene);
             Pseudocode code = pseudocodeOf(*traced, 0);
             const auto erased = std::erase_if(code, [](const PseudocodeLine &line) {
-                return line.text.contains(QStringLiteral("back at the"));
+                return line.text.contains(u"back at the"_s);
             });
             QCOMPARE(erased, std::size_t(1));
             auto names = setUpNames(*traced);

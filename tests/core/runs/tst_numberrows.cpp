@@ -72,9 +72,7 @@ private slots:
         QFETCH(QString, id);
         const Method &method = *methodNamed(id);
         // The columns of every method's sample table; a method may describe the same numbers.
-        const QSet<QString> shared
-            = {QStringLiteral("primitive"), QStringLiteral("x"), QStringLiteral("y"),
-               QStringLiteral("R"),         QStringLiteral("G"), QStringLiteral("B")};
+        const QSet<QString> shared = {u"primitive"_s, u"x"_s, u"y"_s, u"R"_s, u"G"_s, u"B"_s};
         for (const auto &[level, numbers] :
              {std::pair(TraceLevel::SetUp, &method.numbers.setUp),
               std::pair(TraceLevel::Column, &method.numbers.span),
@@ -107,7 +105,7 @@ private slots:
                          qPrintable(number.id + u' ' + idByMeaning.value(number.toolTip) + u' '
                                     + number.toolTip));
                 idByMeaning.insert(number.toolTip, number.id);
-                static const QRegularExpression gap(QStringLiteral("[{}%#]"));
+                static const QRegularExpression gap(u"[{}%#]"_s);
                 QVERIFY2(!number.toolTip.contains(gap), qPrintable(number.toolTip));
             }
         }
@@ -128,14 +126,13 @@ private slots:
             for (const NumberDescription &number : *numbers)
                 texts += number.toolTip;
         }
-        static const QRegularExpression asSeen(QStringLiteral(
-            "\\b(lower (edge|end|one|row|left|right)|upper (edge|end|one|row|left|right)|"
+        static const QRegularExpression asSeen(
+            u"\\b(lower (edge|end|one|row|left|right)|upper (edge|end|one|row|left|right)|"
             "lowest|highest|upwards?|downwards?|(walks|interpolates) down|(row|pixel) "
             "(above|below)|"
-            "(?<!counter-)clockwise)\\b"));
+            "(?<!counter-)clockwise)\\b"_s);
         for (const QString &text : texts) {
-            const bool countsTurns
-                = text.contains(QRegularExpression(QStringLiteral("[Cc]rossing|winding")));
+            const bool countsTurns = text.contains(QRegularExpression(u"[Cc]rossing|winding"_s));
             QVERIFY2(countsTurns || !text.contains(asSeen), qPrintable(text));
         }
     }
@@ -148,24 +145,24 @@ private slots:
             for (const auto *numbers : {&method.numbers.setUp, &method.numbers.span}) {
                 for (const NumberDescription &number : *numbers) {
                     static const QRegularExpression rate(
-                        QStringLiteral("^([ab]_|Δ|δ)[RGB](_[xy])?([₀₁₂]{2})?$"));
+                        u"^([ab]_|Δ|δ)[RGB](_[xy])?([₀₁₂]{2})?$"_s);
                     if (number.title.contains(rate))
-                        QVERIFY2(number.unit.startsWith(QStringLiteral("levels/")),
+                        QVERIFY2(number.unit.startsWith(u"levels/"_s),
                                  qPrintable(method.id + u' ' + number.title));
                 }
             }
         }
-        const auto &plane = methodNamed(QStringLiteral("interpolate-plane"))->numbers.setUp;
+        const auto &plane = methodNamed(u"interpolate-plane"_s)->numbers.setUp;
         const auto unitOf = [&plane](const char *title) {
             return std::ranges::find(plane, QString::fromLatin1(title), &NumberDescription::title)
                 ->unit;
         };
         // a = −A/C: levels·px over px².
-        QCOMPARE(unitOf("a_R"), QStringLiteral("levels/px"));
-        QCOMPARE(unitOf("b_R"), QStringLiteral("levels/px"));
-        QCOMPARE(unitOf("c_R"), QStringLiteral("levels"));
-        QCOMPARE(unitOf("A_R"), QStringLiteral("levels·px"));
-        QCOMPARE(unitOf("C_R"), QStringLiteral("px²"));
+        QCOMPARE(unitOf("a_R"), u"levels/px"_s);
+        QCOMPARE(unitOf("b_R"), u"levels/px"_s);
+        QCOMPARE(unitOf("c_R"), u"levels"_s);
+        QCOMPARE(unitOf("A_R"), u"levels·px"_s);
+        QCOMPARE(unitOf("C_R"), u"px²"_s);
     }
 
     void anEdgeWalksWordsNameTheEdgesThatBoundTheSpan_data()
@@ -180,7 +177,7 @@ private slots:
         QFETCH(QString, id);
         std::mt19937 random(20);
         std::uniform_int_distribution<Lattice> within(-600, 6000);
-        const QRegularExpression edgeName(QStringLiteral("L[₀₁₂]{2}"));
+        const QRegularExpression edgeName(u"L[₀₁₂]{2}"_s);
         int compared = 0;
         for (int run = 0; run < 60; ++run) {
             Scene scene;
@@ -223,20 +220,19 @@ private slots:
             scene.settings.fillRule = rule;
             const auto traced = traceScene(scene);
             const auto numbers = traced->trace->spanWords(3).numbers;
-            return std::ranges::find(numbers, QStringLiteral("last_row"), &NumberDescription::id)
-                ->formula;
+            return std::ranges::find(numbers, u"last_row"_s, &NumberDescription::id)->formula;
         };
-        QCOMPARE(lastRow(FillRule::Closed), QStringLiteral("last row = ⌊y_T⌋"));
-        QCOMPARE(lastRow(FillRule::HalfOpenColumn), QStringLiteral("last row = ⌈y_T⌉ − 1"));
+        QCOMPARE(lastRow(FillRule::Closed), u"last row = ⌊y_T⌋"_s);
+        QCOMPARE(lastRow(FillRule::HalfOpenColumn), u"last row = ⌈y_T⌉ − 1"_s);
 
         scene.settings.fillRule = FillRule::Closed;
         const auto traced = traceScene(scene);
         const auto upper
             = [&](std::size_t span) { return traced->trace->spanWords(span).numbers[4].formula; };
-        QCOMPARE(upper(0), QStringLiteral("y_T ← y₀"));
-        QCOMPARE(upper(1), QStringLiteral("y_T ← y_T′ + m₀₁"));
-        QCOMPARE(upper(11), QStringLiteral("y_T ← y₁"));
-        QCOMPARE(upper(12), QStringLiteral("y_T ← y_T′ + m₁₂"));
+        QCOMPARE(upper(0), u"y_T ← y₀"_s);
+        QCOMPARE(upper(1), u"y_T ← y_T′ + m₀₁"_s);
+        QCOMPARE(upper(11), u"y_T ← y₁"_s);
+        QCOMPARE(upper(12), u"y_T ← y_T′ + m₁₂"_s);
         QVERIFY(!traced->trace->spanWords(11).event.isEmpty());
         QVERIFY(traced->trace->spanWords(12).event.isEmpty());
     }

@@ -26,8 +26,8 @@ namespace {
 std::vector<NamedScene> scenesWithEffects()
 {
     std::vector<NamedScene> scenes;
-    const QDir folder(resource(QStringLiteral("/scenes")));
-    for (const QString &name : folder.entryList({QStringLiteral("*.json")})) {
+    const QDir folder(resource(u"/scenes"_s));
+    for (const QString &name : folder.entryList({u"*.json"_s})) {
         Scene scene = readSceneFile(folder.filePath(name))->scene;
         if (planOf(SceneRun(scene)).isPlain())
             continue;
@@ -70,8 +70,7 @@ void collectLines(const TracedScene &traced, const QString &scene, std::set<QStr
             }
         }
         QVERIFY2(isListed,
-                 qPrintable(QStringLiteral("%1: moment %2 of step %3 in %4")
-                                .arg(traced.method->id)
+                 qPrintable(u"%1: moment %2 of step %3 in %4"_s.arg(traced.method->id)
                                 .arg(int(moment))
                                 .arg(index)
                                 .arg(scene)));
@@ -92,10 +91,10 @@ QStringList linesNotIn(const Pseudocode &code, const std::set<QString> &done)
 bool standsUnder(const ListedLine &listed, FillRule rule, FrameOrigin origin)
 {
     const QString ruled = nameText(nameOf(rule));
-    const QString turned = QStringLiteral("origin ") + nameText(nameOf(origin));
-    const QStringList places = listed.where.split(QStringLiteral(", "));
+    const QString turned = u"origin "_s + nameText(nameOf(origin));
+    const QStringList places = listed.where.split(u", "_s);
     return listed.where.isEmpty() || places.contains(ruled) || places.contains(turned)
-        || places.contains(ruled + QStringLiteral(" with ") + turned);
+        || places.contains(ruled + u" with "_s + turned);
 }
 
 /// The formulas of a span's bounds.
@@ -166,7 +165,7 @@ private slots:
                          qPrintable(line.text));
         }
         QStringList missing = linesNotIn(method->shadedPseudocode, done);
-        missing.removeAll(QStringLiteral("if no sample is to be drawn: done"));
+        missing.removeAll(u"if no sample is to be drawn: done"_s);
         QCOMPARE(missing, QStringList());
     }
 

@@ -140,17 +140,16 @@ private slots:
         for (const Refusal &refusal : refusals) {
             const Crossings crossings = crossingsLeftOf(traced->primitives.shape(refusal.primitive),
                                                         refusal.sample.x, refusal.sample.y);
-            const QString count = crossings.count == 1
-                ? QStringLiteral("once")
-                : QStringLiteral("%1 times").arg(crossings.count);
-            QVERIFY2(refusal.sentence.contains(QStringLiteral("contours %1").arg(count)),
+            const QString count
+                = crossings.count == 1 ? u"once"_s : u"%1 times"_s.arg(crossings.count);
+            QVERIFY2(refusal.sentence.contains(u"contours %1"_s.arg(count)),
                      qPrintable(refusal.sentence));
             if (fill == ShapeFill::EvenOdd) {
                 QCOMPARE(crossings.count % 2, 0);
-                QVERIFY(refusal.sentence.contains(QStringLiteral("an even number, outside")));
+                QVERIFY(refusal.sentence.contains(u"an even number, outside"_s));
             } else {
                 QCOMPARE(crossings.winding, 0);
-                QVERIFY(refusal.sentence.contains(QStringLiteral("winding number 0, outside")));
+                QVERIFY(refusal.sentence.contains(u"winding number 0, outside"_s));
             }
         }
     }
@@ -166,11 +165,10 @@ private slots:
         const auto traced = traceScene(scene);
 
         QCOMPARE(pixelHistory(*traced, 3, 0).front().reason,
-                 QStringLiteral(
-                     "The sample lies exactly on P₀P₁, and the rule off-screen-point "
-                     "gives it to the other side: the edge's function is 6 at the off-screen "
-                     "point (−1, −1) and −36 at the vertex that faces it; their product, −216, "
-                     "is not above 0."));
+                 u"The sample lies exactly on P₀P₁, and the rule off-screen-point "
+                 "gives it to the other side: the edge's function is 6 at the off-screen "
+                 "point (−1, −1) and −36 at the vertex that faces it; their product, −216, "
+                 "is not above 0."_s);
         // On two edges, both of which face away from r.
         const QString corner = pixelHistory(*traced, 0, 0).front().reason;
         QVERIFY2(
@@ -183,7 +181,7 @@ private slots:
             qPrintable(corner));
         const SetUpRecord setUp = traced->trace->setUp(0);
         const NamedNumbers numbers(traced->trace->numbers().setUp, setUp.cells);
-        QCOMPARE(numbers[QStringLiteral("f_c")], Quantity::integer(-36));
+        QCOMPARE(numbers[u"f_c"_s], Quantity::integer(-36));
     }
 
     void aSampleThatRoundingRefusesIsToldByWhichNumber()
@@ -209,19 +207,17 @@ private slots:
     {
         const auto traced
             = traceScene(sceneOf(lineAt(2, 10, 12, 5), "line-bresenham", frameOf(16, 12)));
-        const QString decided = QStringLiteral(" Column 3: p_k = 2Δy·x_k + 2Δx·y_k + c = ");
+        const QString decided = u" Column 3: p_k = 2Δy·x_k + 2Δx·y_k + c = "_s;
         const PixelAttempt missing = pixelHistory(*traced, 3, 10).front();
         QVERIFY(missing.verdict.covered);
         QVERIFY2(
-            missing.reason.startsWith(
-                QStringLiteral("Missing: the truth covers it, but the line's pixel here is "
-                               "another.")
-                + decided)
+            missing.reason.startsWith(u"Missing: the truth covers it, but the line's pixel here is "
+                                      "another."_s
+                                      + decided)
                 && missing.reason.contains(u" = 0, a tie: step diagonally to the pixel (3, 9)"),
             qPrintable(missing.reason));
         const QString beside = pixelHistory(*traced, 3, 7).front().reason;
-        QVERIFY2(beside.startsWith(QStringLiteral("The line does not cover it.") + decided),
-                 qPrintable(beside));
+        QVERIFY2(beside.startsWith(u"The line does not cover it."_s + decided), qPrintable(beside));
     }
 
     void theExactLevelsBesideATriangleAreToldToBeItsPlanes()
@@ -259,9 +255,8 @@ private slots:
             const auto traced = traceScene(scene);
             QVERIFY2(pixelHistory(*traced, 6, 8)
                          .front()
-                         .reason.endsWith(
-                             QStringLiteral(" The sample lies exactly on edge 1, and the rule "
-                                            "top-left leaves it outside.")),
+                         .reason.endsWith(u" The sample lies exactly on edge 1, and the rule "
+                                          "top-left leaves it outside."_s),
                      qPrintable(pixelHistory(*traced, 6, 8).front().reason));
             QVERIFY(!pixelHistory(*traced, 7, 8).front().reason.contains(u"exactly on"));
         }
@@ -283,21 +278,20 @@ private slots:
             const QString sentence = explainStep(*traced, index).sentence;
             // "… 2 times, at the edges 0 and 3: …"
             static const QRegularExpression edges(
-                QStringLiteral("at the edges? ([0-9, and]+?)(:|, [0-9]+ downward)"));
-            static const QRegularExpression number(QStringLiteral("\\d+"));
+                u"at the edges? ([0-9, and]+?)(:|, [0-9]+ downward)"_s);
+            static const QRegularExpression number(u"\\d+"_s);
             const QString list = edges.match(sentence).captured(1);
             QCOMPARE(QString(list).split(number).size() - 1, qsizetype(crossings.count));
             if (sample.fate != SampleFate::Written)
                 continue;
-            QVERIFY2(sentence.startsWith(
-                         QStringLiteral("The ray from here to the left meets the contours")),
+            QVERIFY2(sentence.startsWith(u"The ray from here to the left meets the contours"_s),
                      qPrintable(sentence));
-            QVERIFY2(sentence.endsWith(
-                         fill == ShapeFill::EvenOdd
-                             ? QStringLiteral(": an odd number, inside.")
-                             : QStringLiteral(": winding number %1, inside.")
-                                   .arg(QString::number(crossings.winding).replace(u'-', u'−'))),
-                     qPrintable(sentence));
+            QVERIFY2(
+                sentence.endsWith(fill == ShapeFill::EvenOdd
+                                      ? u": an odd number, inside."_s
+                                      : u": winding number %1, inside."_s.arg(
+                                          QString::number(crossings.winding).replace(u'-', u'−'))),
+                qPrintable(sentence));
         }
     }
 
@@ -307,10 +301,9 @@ private slots:
         QTest::addColumn<QString>("told");
         // The corners of square() ascend in x, then in y: counter-clockwise where y points up.
         QTest::newRow("y up") << FrameOrigin::BottomLeft
-                              << QStringLiteral("1 downward, 0 upward: winding number 1, inside.");
+                              << u"1 downward, 0 upward: winding number 1, inside."_s;
         QTest::newRow("y down") << FrameOrigin::TopLeft
-                                << QStringLiteral(
-                                       "0 downward, 1 upward: winding number −1, inside.");
+                                << u"0 downward, 1 upward: winding number −1, inside."_s;
     }
     void aContourThatTurnsCounterClockwiseHasWindingNumberOne()
     {
@@ -344,8 +337,7 @@ private slots:
                                                   record.place.coordinate);
             const QString sentence
                 = explainStep(*traced, traced->trace->indexOfSpan(span)).sentence;
-            QVERIFY2(sentence.startsWith(
-                         QStringLiteral("The row crosses %1 edges, at x = ").arg(all.count)),
+            QVERIFY2(sentence.startsWith(u"The row crosses %1 edges, at x = "_s.arg(all.count)),
                      qPrintable(sentence));
         }
     }
@@ -397,17 +389,17 @@ private slots:
             }
             const QByteArray told = refusal.sentence.toUtf8();
             // Beyond ab, Cramer's rule has u + v above 1.
-            QCOMPARE(refusal.sentence.contains(QStringLiteral("negative"))
-                         || refusal.sentence.contains(QStringLiteral("is above 1")),
+            QCOMPARE(refusal.sentence.contains(u"negative"_s)
+                         || refusal.sentence.contains(u"is above 1"_s),
                      isBeyond);
             if (isBeyond)
                 continue;
-            static const QRegularExpression named(QStringLiteral("exactly on (\\S+),"));
+            static const QRegularExpression named(u"exactly on (\\S+),"_s);
             const QString edge = named.match(refusal.sentence).captured(1);
             QVERIFY2(edgesThroughIt.contains(edge), told.constData());
             const bool isOwnedByNobody
                 = rule == FillRule::Open || (rule == FillRule::OffScreenPoint && isOnDiagonal);
-            const bool isNobodys = refusal.sentence.contains(QStringLiteral("neither side"));
+            const bool isNobodys = refusal.sentence.contains(u"neither side"_s);
             QVERIFY2(isNobodys == isOwnedByNobody || edgesThroughIt.size() > 1, told.constData());
         }
     }
@@ -417,8 +409,8 @@ private slots:
         QTest::addColumn<ShapeFill>("fill");
         QTest::addColumn<QString>("told");
         QTest::newRow("parity") << ShapeFill::EvenOdd
-                                << QStringLiteral("2 times, at the edges 3 and 4: an even number");
-        QTest::newRow("winding number") << ShapeFill::NonZero << QStringLiteral("winding number 0");
+                                << u"2 times, at the edges 3 and 4: an even number"_s;
+        QTest::newRow("winding number") << ShapeFill::NonZero << u"winding number 0"_s;
     }
     void aSampleInAHoleIsToldByItsParityOrWindingNumber()
     {
@@ -429,9 +421,9 @@ private slots:
         const QString inHole = pixelHistory(*traced, 25, 6)[1].reason;
         QVERIFY2(inHole.contains(told), qPrintable(inHole));
         const QString beside = pixelHistory(*traced, 31, 6)[1].reason;
-        QVERIFY2(beside.startsWith(QStringLiteral(
-                     "The polygon does not cover it. Row 6: The row crosses 4 edges, at x = 20, "
-                     "23, 27 and 30.")),
+        QVERIFY2(beside.startsWith(
+                     u"The polygon does not cover it. Row 6: The row crosses 4 edges, at x = 20, "
+                     "23, 27 and 30."_s),
                  qPrintable(beside));
     }
 
@@ -469,14 +461,14 @@ private slots:
         const auto plain = traceScene(scene);
 
         // By x: P₀ = (1, 1), P₁ = (5, 20), P₂ = (9, 9).
-        QCOMPARE(edgeName(sorted->trace->setUp(0), 0, 1), QStringLiteral("L₀₂"));
-        QCOMPARE(edgeName(sorted->trace->setUp(0), 1, 2), QStringLiteral("L₀₁"));
-        QCOMPARE(edgeName(sorted->trace->setUp(0), 2, 0), QStringLiteral("L₁₂"));
-        QCOMPARE(vertexName(sorted->trace->setUp(0), 0), QStringLiteral("P₂"));
-        QCOMPARE(edgeName(plain->trace->setUp(0), 0, 1), QStringLiteral("P₀P₁"));
-        QCOMPARE(edgeName(plain->trace->setUp(0), 2, 0), QStringLiteral("P₂P₀"));
-        QVERIFY(pixelHistory(*sorted, 7, 2)[0].reason.contains(QStringLiteral("L₀₂")));
-        QVERIFY(pixelHistory(*plain, 7, 2)[0].reason.contains(QStringLiteral("P₀P₁")));
+        QCOMPARE(edgeName(sorted->trace->setUp(0), 0, 1), u"L₀₂"_s);
+        QCOMPARE(edgeName(sorted->trace->setUp(0), 1, 2), u"L₀₁"_s);
+        QCOMPARE(edgeName(sorted->trace->setUp(0), 2, 0), u"L₁₂"_s);
+        QCOMPARE(vertexName(sorted->trace->setUp(0), 0), u"P₂"_s);
+        QCOMPARE(edgeName(plain->trace->setUp(0), 0, 1), u"P₀P₁"_s);
+        QCOMPARE(edgeName(plain->trace->setUp(0), 2, 0), u"P₂P₀"_s);
+        QVERIFY(pixelHistory(*sorted, 7, 2)[0].reason.contains(u"L₀₂"_s));
+        QVERIFY(pixelHistory(*plain, 7, 2)[0].reason.contains(u"P₀P₁"_s));
     }
 };
 

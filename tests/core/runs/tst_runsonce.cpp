@@ -53,8 +53,8 @@ private slots:
     void planAndProjectSolidsOnce_data()
     {
         QTest::addColumn<QString>("path");
-        const QDir folder(resource(QStringLiteral("/scenes")));
-        for (const QString &name : folder.entryList({QStringLiteral("*.json")}))
+        const QDir folder(resource(u"/scenes"_s));
+        for (const QString &name : folder.entryList({u"*.json"_s}))
             QTest::newRow(qPrintable(name)) << folder.filePath(name);
     }
     /// Judged, drawn and traced: from one plan, and from none where nothing calls for more than
@@ -80,7 +80,7 @@ private slots:
 
     void aRunIsPlannedWhereItIsShownThatNothingIsCalledFor()
     {
-        const Scene scene = readSceneFile(resource(QStringLiteral("/scenes/default.json")))->scene;
+        const Scene scene = readSceneFile(resource(u"/scenes/default.json"_s))->scene;
         plans = 0;
         const SceneRun run(scene);
         QVERIFY(planOf(run).isPlain());

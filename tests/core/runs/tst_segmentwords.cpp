@@ -53,8 +53,7 @@ void addEdgeTests()
     QTest::addColumn<QString>("id");
     for (const Method &method : methods()) {
         if (std::ranges::any_of(method.pseudocode, [](const PseudocodeLine &line) {
-                return line.of == LineOf::Segment
-                    && line.text.contains(QStringLiteral("the segment passes"));
+                return line.of == LineOf::Segment && line.text.contains(u"the segment passes"_s);
             }))
             QTest::newRow(qPrintable(method.id)) << method.id;
     }
@@ -75,28 +74,26 @@ private slots:
 
         QVERIFY2(
             reasonAt(*traced, 3, 2)
-                .contains(QStringLiteral(
-                    "its segment from (1, 1) to (9, 5) passes through the sample: (9 − 1)·(2 − 1) "
-                    "− (5 − 1)·(3 − 1) = 0.")),
+                .contains(
+                    u"its segment from (1, 1) to (9, 5) passes through the sample: (9 − 1)·(2 − 1) "
+                    "− (5 − 1)·(3 − 1) = 0."_s),
             qPrintable(reasonAt(*traced, 3, 2)));
         QVERIFY2(reasonAt(*traced, 4, 2)
-                     .contains(QStringLiteral(
-                         "passes the sample by: (9 − 1)·(2 − 1) − (5 − 1)·(4 − 1) = −4, not 0.")),
+                     .contains(
+                         u"passes the sample by: (9 − 1)·(2 − 1) − (5 − 1)·(4 − 1) = −4, not 0."_s),
                  qPrintable(reasonAt(*traced, 4, 2)));
         // On the same line, two columns further.
         QVERIFY2(
             reasonAt(*traced, 11, 6)
-                .contains(QStringLiteral(
-                    "lies in line with the sample, (9 − 1)·(6 − 1) − (5 − 1)·(11 − 1) = 0, but "
-                    "does not reach it.")),
+                .contains(
+                    u"lies in line with the sample, (9 − 1)·(6 − 1) − (5 − 1)·(11 − 1) = 0, but "
+                    "does not reach it."_s),
             qPrintable(reasonAt(*traced, 11, 6)));
         const auto point
             = tracedOf(id, {latticePixel(4, 4), latticePixel(4, 4), latticePixel(4, 4)});
-        QVERIFY(
-            reasonAt(*point, 4, 4)
-                .contains(QStringLiteral("its vertices are all at (4, 4), which is the sample.")));
-        QVERIFY(reasonAt(*point, 5, 4)
-                    .contains(QStringLiteral("all at (4, 4), which is not the sample.")));
+        QVERIFY(reasonAt(*point, 4, 4)
+                    .contains(u"its vertices are all at (4, 4), which is the sample."_s));
+        QVERIFY(reasonAt(*point, 5, 4).contains(u"all at (4, 4), which is not the sample."_s));
     }
 
     void everyStepOfASegmentHasItsDecidingNumber_data() { addEdgeTests(); }
@@ -112,8 +109,7 @@ private slots:
             const std::int64_t number = 8 * (change.y - 1) - 4 * (change.x - 1);
             const bool isOn = number == 0 && change.x >= 1 && change.x <= 9;
             QCOMPARE(change.isWritten(), isOn);
-            QVERIFY2(sentence.contains(withMinus(QStringLiteral(" = %1").arg(number))),
-                     qPrintable(sentence));
+            QVERIFY2(sentence.contains(withMinus(u" = %1"_s.arg(number))), qPrintable(sentence));
             drawn += isOn ? 1 : 0;
         }
         QCOMPARE(drawn, std::size_t(5));
@@ -135,10 +131,10 @@ private slots:
         const Pseudocode ofArea = pseudocodeOf(*ofOther, 0);
         for (const char *part : {"/f_", "/F", "/D"})
             QVERIFY(!hasLine(ofSegment, QString::fromLatin1(part)));
-        const QString segment = QStringLiteral("the segment passes through (x, y)");
+        const QString segment = u"the segment passes through (x, y)"_s;
         QVERIFY(hasLine(ofSegment, segment));
         QVERIFY(!hasLine(ofArea, segment));
-        QVERIFY(hasLine(ofArea, QStringLiteral("if ")));
+        QVERIFY(hasLine(ofArea, u"if "_s));
         for (const PseudocodeLine &line : ofSegment) {
             const bool isDone = line.of != LineOf::Segment || momentsOf(*traced, line.moments) > 0;
             QVERIFY2(isDone, qPrintable(line.text));

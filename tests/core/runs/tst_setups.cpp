@@ -77,22 +77,17 @@ private slots:
             QTest::newRow(id) << QString::fromLatin1(id) << expected;
         };
         row("interpolate-plane",
-            {QStringLiteral("A_R = "), QStringLiteral("B_R = "), QStringLiteral("C_R = "),
-             QStringLiteral("D_R = "), QStringLiteral("a_R = −A_R/C_R"), QStringLiteral("c_B = ")});
+            {u"A_R = "_s, u"B_R = "_s, u"C_R = "_s, u"D_R = "_s, u"a_R = −A_R/C_R"_s, u"c_B = "_s});
         row("interpolate-barycentric",
-            {QStringLiteral("A_α = "), QStringLiteral("k_α = 1/("), QStringLiteral("a_α = k_α·A_α"),
-             QStringLiteral("c_γ = k_γ·C_γ")});
-        row("interpolate-bilinear", {QStringLiteral("m₀₁ = "), QStringLiteral("δR₀₂ = ")});
-        row("line-bresenham",
-            {QStringLiteral("Δx = "), QStringLiteral("2Δy = "), QStringLiteral("2Δy − 2Δx = "),
-             QStringLiteral("p₀ = 2Δy − Δx")});
-        row("line-bresenham-symmetric", {QStringLiteral("2Δy = ")});
-        row("line-dda", {QStringLiteral("m = "), QStringLiteral("ΔR = ")});
-        row("line-slope-intercept",
-            {QStringLiteral("m = (y₁ − y₀)/(x₁ − x₀)"), QStringLiteral("b = y₀ − m·x₀")});
-        row("circle-midpoint", {QStringLiteral("p₀ = 5/4 − r_x")});
-        row("column-scan", {QStringLiteral("m₀₁ = "), QStringLiteral("A = ")});
-        row("edge-equations-solved", {QStringLiteral("q₀ = "), QStringLiteral("a₀ = ")});
+            {u"A_α = "_s, u"k_α = 1/("_s, u"a_α = k_α·A_α"_s, u"c_γ = k_γ·C_γ"_s});
+        row("interpolate-bilinear", {u"m₀₁ = "_s, u"δR₀₂ = "_s});
+        row("line-bresenham", {u"Δx = "_s, u"2Δy = "_s, u"2Δy − 2Δx = "_s, u"p₀ = 2Δy − Δx"_s});
+        row("line-bresenham-symmetric", {u"2Δy = "_s});
+        row("line-dda", {u"m = "_s, u"ΔR = "_s});
+        row("line-slope-intercept", {u"m = (y₁ − y₀)/(x₁ − x₀)"_s, u"b = y₀ − m·x₀"_s});
+        row("circle-midpoint", {u"p₀ = 5/4 − r_x"_s});
+        row("column-scan", {u"m₀₁ = "_s, u"A = "_s});
+        row("edge-equations-solved", {u"q₀ = "_s, u"a₀ = "_s});
     }
     void everyNumberThatASetUpWorksOutHasAFormula()
     {
@@ -102,8 +97,7 @@ private slots:
         for (const QString &formula : expected)
             QVERIFY2(std::ranges::any_of(
                          symbols, [&](const QString &each) { return each.startsWith(formula); }),
-                     qPrintable(formula + QStringLiteral(" is not among ")
-                                + symbols.join(QStringLiteral("; "))));
+                     qPrintable(formula + u" is not among "_s + symbols.join(u"; "_s)));
     }
 
     void interpolationsThatDoNotSortLeaveTheVerticesTheirOwnNames_data()
@@ -129,24 +123,22 @@ private slots:
         const auto traced = traceScene(scene);
         const SetUpRecord setUp = traced->trace->setUp(0);
 
-        QCOMPARE(vertexName(setUp, 0), QStringLiteral("P₀"));
-        QCOMPARE(edgeName(setUp, 2, 0), QStringLiteral("P₂P₀"));
+        QCOMPARE(vertexName(setUp, 0), u"P₀"_s);
+        QCOMPARE(edgeName(setUp, 2, 0), u"P₂P₀"_s);
         const QString sentence = explainStep(*traced, traced->trace->indexOfSetUp(0)).sentence;
-        QVERIFY2(sentence.contains(QStringLiteral("P₀ = (9, 9), P₁ = (1, 1), P₂ = (5, 20)")),
+        QVERIFY2(sentence.contains(u"P₀ = (9, 9), P₁ = (1, 1), P₂ = (5, 20)"_s),
                  qPrintable(sentence));
-        QVERIFY2(!sentence.contains(QStringLiteral("orted")), qPrintable(sentence));
+        QVERIFY2(!sentence.contains(u"orted"_s), qPrintable(sentence));
         const std::vector<NumberDescription> &numbers = traced->trace->numbers().setUp;
         const auto place
-            = std::ranges::find(numbers, QStringLiteral("x₀"), &NumberDescription::title)
-            - numbers.begin();
-        QCOMPARE(toText(setUp.cells[std::size_t(place)]), QStringLiteral("9"));
+            = std::ranges::find(numbers, u"x₀"_s, &NumberDescription::title) - numbers.begin();
+        QCOMPARE(toText(setUp.cells[std::size_t(place)]), u"9"_s);
         for (const NumberDescription &number : numbers)
-            QVERIFY2(!number.toolTip.contains(QStringLiteral("vertex 0")),
-                     qPrintable(number.toolTip));
+            QVERIFY2(!number.toolTip.contains(u"vertex 0"_s), qPrintable(number.toolTip));
         for (const PseudocodeLine &line : traced->method->pseudocode)
-            QVERIFY2(!line.text.contains(QStringLiteral("L₀₁")), qPrintable(line.text));
+            QVERIFY2(!line.text.contains(u"L₀₁"_s), qPrintable(line.text));
         if (antialiasing == Antialiasing::None)
-            QVERIFY(pixelHistory(*traced, 7, 2)[0].reason.contains(QStringLiteral("P₀P₁")));
+            QVERIFY(pixelHistory(*traced, 7, 2)[0].reason.contains(u"P₀P₁"_s));
     }
 
     void aLineSaysWhichEndIsStoredFirstAndWhetherItIsTurned()
@@ -155,14 +147,14 @@ private slots:
              {"line-slope-intercept", "line-dda", "line-bresenham", "line-bresenham-symmetric"}) {
             const QString backwards
                 = setUpOf(sceneOf(lineAt(30, 44, 20, 41), id, wideFrame)).sentence;
-            QVERIFY2(backwards.contains(QStringLiteral("P₀ = (30, 44)")), qPrintable(backwards));
-            QVERIFY2(backwards.contains(QStringLiteral("₀) = (20, 41)")), qPrintable(backwards));
-            QVERIFY(!backwards.contains(QStringLiteral("exchanged")));
+            QVERIFY2(backwards.contains(u"P₀ = (30, 44)"_s), qPrintable(backwards));
+            QVERIFY2(backwards.contains(u"₀) = (20, 41)"_s), qPrintable(backwards));
+            QVERIFY(!backwards.contains(u"exchanged"_s));
         }
         for (const char *id : {"line-dda", "line-bresenham", "line-bresenham-symmetric"}) {
             const QString steep = setUpOf(sceneOf(lineAt(32, 20, 43, 38), id, wideFrame)).sentence;
-            QVERIFY2(steep.contains(QStringLiteral("x and y are exchanged")), qPrintable(steep));
-            QVERIFY2(steep.contains(QStringLiteral("₀) = (20, 32)")), qPrintable(steep));
+            QVERIFY2(steep.contains(u"x and y are exchanged"_s), qPrintable(steep));
+            QVERIFY2(steep.contains(u"₀) = (20, 32)"_s), qPrintable(steep));
         }
     }
 
@@ -178,8 +170,8 @@ private slots:
         };
         QVERIFY(cell(0, "d_lower").isNone());
         // At x = 21 the line is at 41 3/10.
-        QCOMPARE(toText(cell(1, "d_lower")), QStringLiteral("3/10"));
-        QCOMPARE(toText(cell(1, "d_upper")), QStringLiteral("7/10"));
+        QCOMPARE(toText(cell(1, "d_lower")), u"3/10"_s);
+        QCOMPARE(toText(cell(1, "d_upper")), u"7/10"_s);
         QCOMPARE(cell(1, "p_k"), Quantity::integer(-4));
     }
 
@@ -187,8 +179,8 @@ private slots:
     {
         const QString circle
             = setUpOf(sceneOf(circleAt(32, 32, 7), "circle-midpoint", wideFrame)).sentence;
-        QVERIFY2(circle.contains(QStringLiteral("Centre (32, 32), radius 7.")), qPrintable(circle));
-        QVERIFY(!circle.contains(QStringLiteral("P₁")));
+        QVERIFY2(circle.contains(u"Centre (32, 32), radius 7."_s), qPrintable(circle));
+        QVERIFY(!circle.contains(u"P₁"_s));
     }
 
     void aPolygonSaysWhichTestDecides()
@@ -196,8 +188,8 @@ private slots:
         const auto sentence = [](ShapeFill fill) {
             return setUpOf(sceneOf(pentagram(fill), "polygon-parity", wideFrame)).sentence;
         };
-        QVERIFY(sentence(ShapeFill::EvenOdd).contains(QStringLiteral("Even-odd decides")));
-        QVERIFY(sentence(ShapeFill::NonZero).contains(QStringLiteral("Non-zero decides")));
+        QVERIFY(sentence(ShapeFill::EvenOdd).contains(u"Even-odd decides"_s));
+        QVERIFY(sentence(ShapeFill::NonZero).contains(u"Non-zero decides"_s));
     }
 
     void aSegmentWhoseFirstTwoVerticesShareAColumnIsAllSecondHalf()
@@ -210,7 +202,7 @@ private slots:
             const auto traced = traceScene(scene);
             QCOMPARE(traced->trace->placeOf(0).part, 1);
             const Explanation column = explainStep(*traced, traced->trace->indexOfSpan(0));
-            QVERIFY2(!column.sentence.contains(QStringLiteral("L₁₂")), qPrintable(column.sentence));
+            QVERIFY2(!column.sentence.contains(u"L₁₂"_s), qPrintable(column.sentence));
         }
     }
 
@@ -220,20 +212,20 @@ private slots:
         scene.method = "column-scan";
         scene.settings.fillRule = FillRule::HalfOpenColumn;
         const auto traced = traceScene(scene);
-        const auto rule = QStringLiteral("⌈y_T⌉ − 1");
+        const auto rule = u"⌈y_T⌉ − 1"_s;
         const QString text = QString::fromUtf8(exported(*traced, {.format = TableFormat::Text}));
         QVERIFY(text.section(u'\n', 0, 0).contains(rule));
-        QVERIFY(!text.section(u'\n', 0, 0).contains(QStringLiteral("⌊y_T⌋")));
+        QVERIFY(!text.section(u'\n', 0, 0).contains(u"⌊y_T⌋"_s));
         const QString json = QString::fromUtf8(exported(*traced, {.format = TableFormat::Json}));
-        QVERIFY(json.contains(QStringLiteral("last row = ") + rule));
-        QVERIFY(!json.contains(QStringLiteral("last row = ⌊y_T⌋")));
+        QVERIFY(json.contains(u"last row = "_s + rule));
+        QVERIFY(!json.contains(u"last row = ⌊y_T⌋"_s));
 
         scene.method = "row-walk";
         scene.settings.fillRule = FillRule::Open;
         const QString rows
             = QString::fromUtf8(exported(*traceScene(scene), {.format = TableFormat::Text}))
                   .section(u'\n', 0, 0);
-        QVERIFY2(rows.contains(QStringLiteral("⌊x_L⌋ + 1")), qPrintable(rows));
+        QVERIFY2(rows.contains(u"⌊x_L⌋ + 1"_s), qPrintable(rows));
     }
 
     void aColumnsFirstLevelsCanBeRecomputedFromItsRow()
@@ -246,16 +238,16 @@ private slots:
             = QJsonDocument::fromJson(exported(*traceScene(scene), {.format = TableFormat::Json}))
                   .object();
         QString formula;
-        for (const QJsonValue &column : document[QStringLiteral("columns")].toArray()) {
-            if (column[QStringLiteral("id")].toString() == QStringLiteral("first_R"))
-                formula = column[QStringLiteral("formula")].toString();
+        for (const QJsonValue &column : document[u"columns"_s].toArray()) {
+            if (column[u"id"_s].toString() == u"first_R"_s)
+                formula = column[u"formula"_s].toString();
         }
-        QCOMPARE(formula, QStringLiteral("first R = R_B + (y_start − y_B)·ΔR"));
+        QCOMPARE(formula, u"first R = R_B + (y_start − y_B)·ΔR"_s);
         int compared = 0;
-        for (const QJsonValue &value : document[QStringLiteral("rows")].toArray()) {
+        for (const QJsonValue &value : document[u"rows"_s].toArray()) {
             const QJsonObject row = value.toObject();
             // Equal bounds have no rate; columns outside the frame have no levels.
-            if (row[QStringLiteral("delta_R")].isNull() || row[QStringLiteral("first_R")].isNull())
+            if (row[u"delta_R"_s].isNull() || row[u"first_R"_s].isNull())
                 continue;
             const double again = numberIn(row, "R_B")
                 + (numberIn(row, "first_drawn_row") - numberIn(row, "y_B"))

@@ -37,11 +37,9 @@ QSet<QString> formulasOf(const TracedScene &traced)
             const QString fault
                 = formulaFault(line, FormulaRange::of(line.substituted, arithmetic), arithmetic);
             if (!fault.isEmpty())
-                QTest::qFail(
-                    qPrintable(QStringLiteral("step %1: %2: %3 %4, not %5")
-                                   .arg(step)
-                                   .arg(line.symbols, line.substituted, fault, toText(line.used))),
-                    __FILE__, __LINE__);
+                QTest::qFail(qPrintable(u"step %1: %2: %3 %4, not %5"_s.arg(step).arg(
+                                 line.symbols, line.substituted, fault, toText(line.used))),
+                             __FILE__, __LINE__);
         }
     }
     return shown;
@@ -53,7 +51,7 @@ QStringList unfilledTipsOf(const TraceNumbers &numbers)
     QStringList unfilled;
     for (const auto *table : {&numbers.setUp, &numbers.span, &numbers.sample})
         for (const NumberDescription &number : *table)
-            if (number.toolTip.contains(QRegularExpression(QStringLiteral("%\\d"))))
+            if (number.toolTip.contains(QRegularExpression(u"%\\d"_s)))
                 unfilled += number.toolTip;
     return unfilled;
 }
@@ -111,26 +109,24 @@ private slots:
         const auto traced = traceScene(scene);
         const QSet<QString> shown = formulasOf(*traced);
         QCOMPARE(unfilledTipsOf(traced->trace->numbers()), QStringList());
-        QStringList expected = {QStringLiteral("i = ⌊8·u − ½⌋ − 8·⌊⌊8·u − ½⌋/8⌋"),
-                                QStringLiteral("j = min(max(⌊8·v⌋, 0), 7)"),
-                                QStringLiteral("j = ⌊8·v⌋ − 8·⌊⌊8·v⌋/8⌋"),
-                                QStringLiteral("i = min(max(⌊8·u − ½⌋, 0), 7)"),
-                                QStringLiteral("f_u = 8·u − ½ − ⌊8·u − ½⌋"),
-                                QStringLiteral("f_u = 8·u − ½ − i"),
-                                QStringLiteral("R_w₁ = R₁/w₁"),
-                                QStringLiteral("R_w₁ = R₁"),
-                                QStringLiteral("R = R_w/q"),
-                                QStringLiteral("R = R_w")};
-        if (method.endsWith(QStringLiteral("plane")))
-            expected += {QStringLiteral("c_Rw = R_w₀ − a_Rw·x₀ − b_Rw·y₀"),
-                         QStringLiteral("a_Rw = (R_w₂ − R_w₀)/(x₂ − x₀)"),
-                         QStringLiteral("b_Rw = (R_w₀ − R_w₁)/(y₀ − y₁)")};
-        else if (method.endsWith(QStringLiteral("barycentric")))
-            expected
-                += {QStringLiteral("a_α = (y₂ − y₁)/((y₂ − y₁)·(x₀ − x₁) + (x₁ − x₂)·(y₀ − y₁))"),
-                    QStringLiteral("c_γ = −a_γ·x₀"), QStringLiteral("c_α = 1 − a_α·x₀")};
+        QStringList expected = {u"i = ⌊8·u − ½⌋ − 8·⌊⌊8·u − ½⌋/8⌋"_s,
+                                u"j = min(max(⌊8·v⌋, 0), 7)"_s,
+                                u"j = ⌊8·v⌋ − 8·⌊⌊8·v⌋/8⌋"_s,
+                                u"i = min(max(⌊8·u − ½⌋, 0), 7)"_s,
+                                u"f_u = 8·u − ½ − ⌊8·u − ½⌋"_s,
+                                u"f_u = 8·u − ½ − i"_s,
+                                u"R_w₁ = R₁/w₁"_s,
+                                u"R_w₁ = R₁"_s,
+                                u"R = R_w/q"_s,
+                                u"R = R_w"_s};
+        if (method.endsWith(u"plane"_s))
+            expected += {u"c_Rw = R_w₀ − a_Rw·x₀ − b_Rw·y₀"_s, u"a_Rw = (R_w₂ − R_w₀)/(x₂ − x₀)"_s,
+                         u"b_Rw = (R_w₀ − R_w₁)/(y₀ − y₁)"_s};
+        else if (method.endsWith(u"barycentric"_s))
+            expected += {u"a_α = (y₂ − y₁)/((y₂ − y₁)·(x₀ − x₁) + (x₁ − x₂)·(y₀ − y₁))"_s,
+                         u"c_γ = −a_γ·x₀"_s, u"c_α = 1 − a_α·x₀"_s};
         else
-            expected += {QStringLiteral("ΔR_w = 0")};
+            expected += {u"ΔR_w = 0"_s};
         for (const QString &formula : expected)
             QVERIFY2(shown.contains(formula),
                      qPrintable(formula + u'\n' + QStringList(shown.values()).join(u'\n')));
@@ -162,8 +158,7 @@ private slots:
                                     + QByteArray(primitive) + " } ] }")));
             // A stroke one pixel wide covers all four samples there.
             const bool isTriangle = QByteArray(primitive).contains("triangle");
-            const QString sum
-                = QStringLiteral("sum_R = 255 + %1 + 255 + %1").arg(isTriangle ? 0 : 255);
+            const QString sum = u"sum_R = 255 + %1 + 255 + %1"_s.arg(isTriangle ? 0 : 255);
             QVERIFY2(shown.contains(sum), qPrintable(QStringList(shown.values()).join(u'\n')));
         }
     }
@@ -188,7 +183,7 @@ private slots:
                 continue;
             for (const FormulaLine &line : explainStep(*traced, step).lines) {
                 if (line.symbols.startsWith(u"byte"))
-                    bytes.append(line.symbols + QStringLiteral(": ") + line.substituted);
+                    bytes.append(line.symbols + u": "_s + line.substituted);
             }
         }
         QCOMPARE(bytes.size(), 3);

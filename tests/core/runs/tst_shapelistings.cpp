@@ -62,8 +62,7 @@ FrameSpec frameFor(int number)
 void setColour(ListingNames &names, const Colour &colour)
 {
     for (std::size_t channel = 0; channel < 3; ++channel)
-        names[QStringLiteral("colour ") + QString(channelLetters[channel])]
-            = colour.channels[channel];
+        names[u"colour "_s + QString(channelLetters[channel])] = colour.channels[channel];
 }
 
 /// A circle or an ellipse, often smaller than a pixel or wider than the frame.
@@ -120,9 +119,8 @@ std::vector<ListingRun::Item> itemsOf(const std::vector<ContourEdge> &edges)
 
 QString message(int number, const QString &departure)
 {
-    return departure.isEmpty()
-        ? departure
-        : QStringLiteral("seed %1, shape %2: %3").arg(seed).arg(number).arg(departure);
+    return departure.isEmpty() ? departure
+                               : u"seed %1, shape %2: %3"_s.arg(seed).arg(number).arg(departure);
 }
 
 } // namespace
@@ -145,8 +143,7 @@ private slots:
                 QTest::addRow("%s, %s", id, std::string(nameOf(arithmetic)).c_str())
                     << QString::fromLatin1(id) << VariantSet() << arithmetic;
         QTest::newRow("circle-midpoint, stay-at-zero")
-            << QStringLiteral("circle-midpoint") << VariantSet().with(Variant::StayAtZero)
-            << Arithmetic::Exact;
+            << u"circle-midpoint"_s << VariantSet().with(Variant::StayAtZero) << Arithmetic::Exact;
     }
     void listingsOfCirclesDrawWhatTheirKernelsDraw()
     {
@@ -157,7 +154,7 @@ private slots:
         std::size_t drawn = 0;
         for (int i = 0; i < 300; ++i) {
             Shape round = oddRound(i, random);
-            if (id == QStringLiteral("circle-fill"))
+            if (id == u"circle-fill"_s)
                 round.fill = ShapeFill::EvenOdd;
             Scene scene = sceneOf(round, qPrintable(id), frameFor(i));
             scene.settings.variants = variants;
@@ -165,11 +162,11 @@ private slots:
             const auto traced = traceScene(scene);
             const LatticePoint centre = round.vertices[0].position;
             const LatticePoint corner = round.vertices[1].position;
-            ListingNames names = {{QStringLiteral("x_c"), inPixels(centre.x)},
-                                  {QStringLiteral("y_c"), inPixels(centre.y)},
-                                  {QStringLiteral("r_x"), inPixels(corner.x - centre.x)},
-                                  {QStringLiteral("r_y"), inPixels(corner.y - centre.y)},
-                                  {QStringLiteral("π"), BigRational(std::numbers::pi)}};
+            ListingNames names = {{u"x_c"_s, inPixels(centre.x)},
+                                  {u"y_c"_s, inPixels(centre.y)},
+                                  {u"r_x"_s, inPixels(corner.x - centre.x)},
+                                  {u"r_y"_s, inPixels(corner.y - centre.y)},
+                                  {u"π"_s, BigRational(std::numbers::pi)}};
             setColour(names, round.vertices[0].colour);
             ListingRun run(pseudocodeOf(*traced, 0), names, frameBox(scene.frame),
                            ListingRun::SetUp::Run);
@@ -208,7 +205,7 @@ private slots:
         std::mt19937 random(seed);
         std::size_t drawn = 0;
         for (int i = 0; i < 200; ++i) {
-            const bool isCurve = id == QStringLiteral("bezier-fill");
+            const bool isCurve = id == u"bezier-fill"_s;
             const Shape polygon = isCurve ? oddPath(i, random, fill) : oddPolygon(i, random, fill);
             Scene scene = sceneOf(polygon, qPrintable(id), frameFor(i));
             scene.settings.arithmetic = arithmetic;
@@ -217,17 +214,15 @@ private slots:
             if (traced->trace->setUp(0).rejection)
                 continue; // fans are of convex polygons, Delaunay's of those that do not cross
             ListingNames names = setUpNames(*traced);
-            names[fill == ShapeFill::NonZero ? QStringLiteral("non-zero")
-                                             : QStringLiteral("even-odd")]
-                = 1;
+            names[fill == ShapeFill::NonZero ? u"non-zero"_s : u"even-odd"_s] = 1;
             setColour(names, polygon.vertices[0].colour);
             ListingRun run(pseudocodeOf(*traced, 0), names, frameBox(scene.frame));
             const Contours contours = contoursOf(isCurve ? chordsOf(polygon) : polygon);
-            if (id == QStringLiteral("polygon-fan"))
+            if (id == u"polygon-fan"_s)
                 run.setItems(itemsOf(edgesOf(fanOf(contours))));
-            else if (id == QStringLiteral("polygon-delaunay"))
+            else if (id == u"polygon-delaunay"_s)
                 run.setItems(itemsOf(edgesOf(delaunayOf(contours))));
-            else if (id == QStringLiteral("polygon-tessellation"))
+            else if (id == u"polygon-tessellation"_s)
                 run.setItems(itemsOf(edgesOf(tessellationOf(contours))));
             else
                 run.setItems(itemsOf(contours.edges));
@@ -253,7 +248,7 @@ private slots:
             const Scene scene = sceneOf(points, "point-address", frameFor(i));
             const auto traced = traceScene(scene);
             ListingNames names = setUpNames(*traced);
-            names[QStringLiteral("height")] = scene.frame.height;
+            names[u"height"_s] = scene.frame.height;
             setColour(names, points.vertices[0].colour);
             ListingRun run(pseudocodeOf(*traced, 0), names, frameBox(scene.frame));
             run.setItems(items);
@@ -274,14 +269,14 @@ private slots:
         const Scene scene = sceneOf(square, "polygon-parity", frameOf(14, 13));
         const auto traced = traceScene(scene);
         ListingNames names = setUpNames(*traced);
-        names[QStringLiteral("even-odd")] = 1;
+        names[u"even-odd"_s] = 1;
         setColour(names, square.vertices[0].colour);
         Pseudocode code = pseudocodeOf(*traced, 0);
         for (PseudocodeLine &line : code)
-            line.text.replace(QStringLiteral("x_k ≤ x"), QStringLiteral("x_k < x"));
+            line.text.replace(u"x_k ≤ x"_s, u"x_k < x"_s);
         ListingRun run(code, names, frameBox(scene.frame));
         run.setItems(itemsOf(contoursOf(square).edges));
-        QVERIFY(departureOf(run, *traced).contains(QStringLiteral("kernel (2, 3) ")));
+        QVERIFY(departureOf(run, *traced).contains(u"kernel (2, 3) "_s));
     }
 };
 

@@ -85,7 +85,7 @@ private slots:
         QCOMPARE(spanHeading(*traced->trace, span), last);
         const std::vector<NumberDescription> numbers = traced->trace->numbers().span;
         const auto half = std::ranges::find_if(numbers, [](const NumberDescription &number) {
-            return number.id == QStringLiteral("half") || number.id == QStringLiteral("trapezoid");
+            return number.id == u"half"_s || number.id == u"trapezoid"_s;
         });
         QVERIFY(half != numbers.end());
         const Quantity cell = traced->trace->span(span).cells[std::size_t(half - numbers.begin())];

@@ -22,7 +22,7 @@ constexpr std::size_t mostSteps = 280;
 
 Scene exampleNamed(const QString &name)
 {
-    return readSceneFile(resource(QStringLiteral("/scenes/")) + name)->scene;
+    return readSceneFile(resource(u"/scenes/"_s) + name)->scene;
 }
 
 } // namespace
@@ -43,7 +43,7 @@ private slots:
     void theStagesOfALitSampleHaveFormulas()
     {
         QFETCH(QString, id);
-        Scene scene = exampleNamed(QStringLiteral("lit-sphere.json"));
+        Scene scene = exampleNamed(u"lit-sphere.json"_s);
         scene.method = id.toStdString();
         const auto traced = traceScene(scene);
         QSet<QString> shown;
@@ -51,26 +51,24 @@ private slots:
             for (const FormulaLine &line : explainStep(*traced, step).lines)
                 shown.insert(line.symbols);
         }
-        QStringList expected = {
-            QStringLiteral("|N| = √(N_x² + N_y² + N_z²)"),
-            QStringLiteral("n_y = N_y/|N|"),
-            QStringLiteral("V_z = (E_z − p_z)/√((E_x − p_x)² + (E_y − p_y)² + (E_z − p_z)²)"),
-            QStringLiteral("L_0x = (−d_0x)/√((−d_0x)² + (−d_0y)² + (−d_0z)²)"),
-            QStringLiteral("L_1x = (S_1x − p_x)/√((S_1x − p_x)² + (S_1y − p_y)² + (S_1z − p_z)²)"),
-            QStringLiteral("NL_1 = max(0, n_x·L_1x + n_y·L_1y + n_z·L_1z)"),
-            QStringLiteral("H_0y = (L_0y + V_y)/√((L_0x + V_x)² + (L_0y + V_y)² + (L_0z + V_z)²)"),
-            QStringLiteral("NH_0 = max(0, n_x·H_0x + n_y·H_0y + n_z·H_0z)"),
-            QStringLiteral("highlight_0 = NH_0^shininess"),
-            QStringLiteral("I_R = base_R·(ambient_R + light_0R·NL_0 + light_1R·NL_1)/255 + "
-                           "specular_R·(light_0R·highlight_0 + light_1R·highlight_1)/255"),
-            QStringLiteral("s_R = min(255, ⌊I_R + ½⌋)"),
-            QStringLiteral("y_T ← y_T′ + m₀₂"),
-            QStringLiteral("m₀₁ = (y₁ − y₀)/(x₁ − x₀)")};
-        if (!id.contains(QStringLiteral("plane")) && !id.contains(QStringLiteral("barycentric")))
-            expected
-                += {QStringLiteral("q_B ← q_B′ + δq₀₂"), QStringLiteral("q_T ← q₀ + (x − x₀)·δq₀₂"),
-                    QStringLiteral("N_xwB ← N_xwB′ + δN_xw₀₂"),
-                    QStringLiteral("δq₁₂ = (q₂ − q₁)/(x₂ − x₁)")};
+        QStringList expected
+            = {u"|N| = √(N_x² + N_y² + N_z²)"_s,
+               u"n_y = N_y/|N|"_s,
+               u"V_z = (E_z − p_z)/√((E_x − p_x)² + (E_y − p_y)² + (E_z − p_z)²)"_s,
+               u"L_0x = (−d_0x)/√((−d_0x)² + (−d_0y)² + (−d_0z)²)"_s,
+               u"L_1x = (S_1x − p_x)/√((S_1x − p_x)² + (S_1y − p_y)² + (S_1z − p_z)²)"_s,
+               u"NL_1 = max(0, n_x·L_1x + n_y·L_1y + n_z·L_1z)"_s,
+               u"H_0y = (L_0y + V_y)/√((L_0x + V_x)² + (L_0y + V_y)² + (L_0z + V_z)²)"_s,
+               u"NH_0 = max(0, n_x·H_0x + n_y·H_0y + n_z·H_0z)"_s,
+               u"highlight_0 = NH_0^shininess"_s,
+               u"I_R = base_R·(ambient_R + light_0R·NL_0 + light_1R·NL_1)/255 + "
+               "specular_R·(light_0R·highlight_0 + light_1R·highlight_1)/255"_s,
+               u"s_R = min(255, ⌊I_R + ½⌋)"_s,
+               u"y_T ← y_T′ + m₀₂"_s,
+               u"m₀₁ = (y₁ − y₀)/(x₁ − x₀)"_s};
+        if (!id.contains(u"plane"_s) && !id.contains(u"barycentric"_s))
+            expected += {u"q_B ← q_B′ + δq₀₂"_s, u"q_T ← q₀ + (x − x₀)·δq₀₂"_s,
+                         u"N_xwB ← N_xwB′ + δN_xw₀₂"_s, u"δq₁₂ = (q₂ − q₁)/(x₂ − x₁)"_s};
         for (const QString &formula : expected)
             QVERIFY2(shown.contains(formula), qPrintable(formula));
     }
@@ -110,7 +108,7 @@ private slots:
             const std::size_t step = traced->trace->indexOfSetUp(primitive);
             for (const StageFormulas &stage : explainStep(*traced, step).stages) {
                 stages.insert(stage.stage);
-                cuts += stage.note.contains(QStringLiteral("the near plane cuts")) ? 1 : 0;
+                cuts += stage.note.contains(u"the near plane cuts"_s) ? 1 : 0;
                 for (const FormulaLine &line : stage.lines) {
                     if (line.substituted.isEmpty())
                         continue;
@@ -119,16 +117,16 @@ private slots:
                         line, FormulaRange::of(line.substituted, Arithmetic::Float64),
                         Arithmetic::Float64);
                     QVERIFY2(fault.isEmpty(),
-                             qPrintable(QStringLiteral("%1, %2: %3: %4 %5, not %6")
-                                            .arg(stage.stage, stage.point, line.symbols,
-                                                 line.substituted, fault, toText(line.used))));
+                             qPrintable(u"%1, %2: %3: %4 %5, not %6"_s.arg(
+                                 stage.stage, stage.point, line.symbols, line.substituted, fault,
+                                 toText(line.used))));
                 }
             }
         }
         QCOMPARE(stages.size(), shading == Shading::Phong ? 7 : 8);
         QVERIFY(cuts > 0);
         if (projection == Projection::Perspective)
-            QVERIFY(formulas.contains(QStringLiteral("φ = fieldOfView/180·π/2")));
+            QVERIFY(formulas.contains(u"φ = fieldOfView/180·π/2"_s));
         if (shading == Shading::Flat) {
             for (const char *formula : {"x = 1/3·(V₀_x + V₁_x + V₂_x)",
                                         "base_G = ⌊(V₀_base_G + V₁_base_G + V₂_base_G)/3 + ½⌋"})
@@ -154,11 +152,10 @@ private slots:
         QTest::addColumn<QByteArray>("shading");
         QTest::addColumn<QStringList>("points");
         QTest::addColumn<QList<double>>("bytes");
-        QTest::newRow("gouraud") << QByteArray("gouraud")
-                                 << QStringList{QStringLiteral("V₀"), QStringLiteral("V₁")}
+        QTest::newRow("gouraud") << QByteArray("gouraud") << QStringList{u"V₀"_s, u"V₁"_s}
                                  << QList<double>{160, 123};
         // The mean normal: (1/√2, 0, −2 − 1/√2), N·L = 2.7071…/√(½ + 2.7071²) = 0.9675…
-        QTest::newRow("flat") << QByteArray("flat") << QStringList{QStringLiteral("centre")}
+        QTest::newRow("flat") << QByteArray("flat") << QStringList{u"centre"_s}
                               << QList<double>{156};
     }
     void aPlainTriangleTellsHowItIsLit()
@@ -184,8 +181,7 @@ private slots:
                     = formulaFault(line, FormulaRange::of(line.substituted, Arithmetic::Float64),
                                    Arithmetic::Float64);
                 QVERIFY2(fault.isEmpty(),
-                         qPrintable(line.symbols + QStringLiteral(": ") + line.substituted + u' '
-                                    + fault));
+                         qPrintable(line.symbols + u": "_s + line.substituted + u' ' + fault));
             }
         }
         for (qsizetype i = 0; i < points.size(); ++i) {
@@ -194,7 +190,7 @@ private slots:
                 for (const FormulaLine &line : stage.lines) {
                     if (stage.point != points[i] || !line.symbols.startsWith(u"s_R"))
                         continue;
-                    QCOMPARE(line.symbols, QStringLiteral("s_R = min(255, ⌊I_R + ½⌋)"));
+                    QCOMPARE(line.symbols, u"s_R = min(255, ⌊I_R + ½⌋)"_s);
                     QCOMPARE(line.used.toDouble(), bytes[i]);
                     QCOMPARE(traced->primitives.triangles[0].vertices[std::size_t(i)].colour.red(),
                              std::uint8_t(bytes[i]));
@@ -207,7 +203,7 @@ private slots:
 
     void aNameThatIsNoNumberIsNoticed()
     {
-        QVERIFY(FormulaRange::of(QStringLiteral("(9 1/2) + 3·2²"), Arithmetic::Exact));
+        QVERIFY(FormulaRange::of(u"(9 1/2) + 3·2²"_s, Arithmetic::Exact));
         for (const char *text : {"(9 1/2) + ΔR", "p_k₊₁", "", "3 +", "(4", "1/0", "R′ + 2"})
             QVERIFY2(!FormulaRange::of(QString::fromUtf8(text), Arithmetic::Exact), text);
     }

@@ -117,9 +117,9 @@ private slots:
         const auto printed = traceScene(slideLine(only(Variant::StayAtZero)));
 
         QCOMPARE(currentLines(*right, stepOfColumn(*right, 25)).last(),
-                 QStringLiteral("else: y ← y + s; p ← p + 2Δy − 2Δx"));
+                 u"else: y ← y + s; p ← p + 2Δy − 2Δx"_s);
         QCOMPARE(currentLines(*printed, stepOfColumn(*printed, 25)).last(),
-                 QStringLiteral("else if p ≤ 0: p ← p + 2Δy"));
+                 u"else if p ≤ 0: p ← p + 2Δy"_s);
     }
 
     void aLineHalfWayBetweenTwoPixelsIsATie_data()

@@ -86,9 +86,8 @@ private slots:
         QFETCH(QString, told);
         const auto traced = traceScene(sceneOf(shape, method.constData(), frameOf(16, 16)));
         const QString reason = pixelHistory(*traced, pixel.x(), pixel.y()).front().reason;
-        QVERIFY2(
-            reason.startsWith(QStringLiteral("The %1 does not cover it. ").arg(nameOf(shape.kind))),
-            qPrintable(reason));
+        QVERIFY2(reason.startsWith(u"The %1 does not cover it. "_s.arg(nameOf(shape.kind))),
+                 qPrintable(reason));
         QVERIFY2(reason.contains(told), qPrintable(reason));
     }
 
@@ -123,10 +122,8 @@ private slots:
         const auto refusals = refusalsOf(sceneOf(shape, method.constData(), frameOf(16, 16)));
         QVERIFY(refusals.size() > 100);
         for (const auto &[pixel, reason] : refusals)
-            QVERIFY2(
-                !reason.isEmpty() && !reason.endsWith(QStringLiteral("does not cover it.")),
-                qPrintable(
-                    QStringLiteral("(%1, %2) %3").arg(pixel.first).arg(pixel.second).arg(reason)));
+            QVERIFY2(!reason.isEmpty() && !reason.endsWith(u"does not cover it."_s),
+                     qPrintable(u"(%1, %2) %3"_s.arg(pixel.first).arg(pixel.second).arg(reason)));
     }
 
     void whereNothingPassesTheRowOrColumnIsToldWhatDoes_data()
@@ -186,9 +183,8 @@ private slots:
             if (std::abs(pixel.first - 5) > 4)
                 continue;
             ++inside;
-            QVERIFY2(reason.count(QStringLiteral("On the column ")) == 1
-                         && reason.contains(
-                             QStringLiteral("On the column %1 the curve").arg(pixel.first)),
+            QVERIFY2(reason.count(u"On the column "_s) == 1
+                         && reason.contains(u"On the column %1 the curve"_s.arg(pixel.first)),
                      qPrintable(reason));
         }
         QVERIFY(inside > 20);

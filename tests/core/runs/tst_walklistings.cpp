@@ -19,7 +19,7 @@ ListingRun listingOf(const TracedScene &traced, const Pseudocode &code)
 {
     ListingNames names = vertexNames(traced.scene.triangles.front(), traced.scene.frame);
     const ListingNames setUp = setUpNames(traced);
-    if (const auto area = setUp.find(QStringLiteral("A")); area != setUp.end())
+    if (const auto area = setUp.find(u"A"_s); area != setUp.end())
         names.insert(*area);
     return ListingRun(code, names, frameBox(traced.scene.frame), ListingRun::SetUp::Run);
 }
@@ -95,10 +95,8 @@ private slots:
                 continue;
             ListingRun run = listingOf(*traced);
             const QString departure = departureOf(run, *traced);
-            QVERIFY2(
-                departure.isEmpty(),
-                qPrintable(
-                    QStringLiteral("seed %1, triangle %2: %3").arg(seed).arg(i).arg(departure)));
+            QVERIFY2(departure.isEmpty(),
+                     qPrintable(u"seed %1, triangle %2: %3"_s.arg(seed).arg(i).arg(departure)));
             drawn += run.pixels().size();
         }
         QVERIFY(drawn > std::size_t(7 * count));
@@ -115,9 +113,9 @@ private slots:
         const auto traced = traceScene(scene);
         Pseudocode code = pseudocodeOf(*traced, 0);
         for (PseudocodeLine &line : code)
-            line.text.remove(QStringLiteral(" + (y − y_B)·ΔR"));
+            line.text.remove(u" + (y − y_B)·ΔR"_s);
         ListingRun run = listingOf(*traced, code);
-        QVERIFY(departureOf(run, *traced).contains(QStringLiteral("listing (4, 2) ")));
+        QVERIFY(departureOf(run, *traced).contains(u"listing (4, 2) "_s));
     }
 };
 

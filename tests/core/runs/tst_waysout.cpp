@@ -27,45 +27,41 @@ struct FileSettings {
 
 QByteArray sceneText(const QString &body, const FileSettings &settings)
 {
-    QString text = QStringLiteral("{ 'pixelplumb': 1, 'frame': { 'width': 12, 'height': 10 }, ");
+    QString text = u"{ 'pixelplumb': 1, 'frame': { 'width': 12, 'height': 10 }, "_s;
     if (!settings.fillRule.isEmpty())
-        text += QStringLiteral("'fillRule': '%1', ").arg(settings.fillRule);
+        text += u"'fillRule': '%1', "_s.arg(settings.fillRule);
     if (!settings.arithmetic.isEmpty())
-        text += QStringLiteral("'arithmetic': '%1', ").arg(settings.arithmetic);
+        text += u"'arithmetic': '%1', "_s.arg(settings.arithmetic);
     if (!settings.variants.isEmpty())
-        text += QStringLiteral("'variants': ['%1'], ")
-                    .arg(settings.variants.join(QStringLiteral("', '")));
+        text += u"'variants': ['%1'], "_s.arg(settings.variants.join(u"', '"_s));
     return QString(text + body + u'}').replace(u'\'', u'"').toUtf8();
 }
 
 QStringList bodies()
 {
     const QString triangle = QString::fromLatin1(plainTriangle);
-    return {QStringLiteral("'primitives': [{ %1 }]").arg(triangle),
-            QStringLiteral("'primitives': [{ %1 }]")
-                .arg(triangle)
-                .replace(QStringLiteral("ff0000"), QStringLiteral("ff000080")),
-            QStringLiteral("'antialiasing': 4, 'primitives': [{ %1 }]").arg(triangle),
+    return {u"'primitives': [{ %1 }]"_s.arg(triangle),
+            u"'primitives': [{ %1 }]"_s.arg(triangle).replace(u"ff0000"_s, u"ff000080"_s),
+            u"'antialiasing': 4, 'primitives': [{ %1 }]"_s.arg(triangle),
             // Depth may be called for, and is not.
-            QStringLiteral("'primitives': [{ %1, 'z': [2, 2, 2] }]").arg(triangle),
+            u"'primitives': [{ %1, 'z': [2, 2, 2] }]"_s.arg(triangle),
             // A segment, which calls for its texture under the closed rule alone.
-            QStringLiteral("'materials': { 'm': { 'texture': 'checker' } }, 'primitives': [{ "
-                           "'triangle': [[1, 1], [3, 3], [5, 5]], 'colors': ['#ff0000', "
-                           "'#ff0000', '#ff0000'], 'material': 'm' }]"),
-            QStringLiteral(
-                "'primitives': [{ 'line': [[1, 1], [9, 4]], 'colors': ['#ff0000', '#00ff00'] }]"),
-            QStringLiteral("'antialiasing': 'area', 'primitives': [{ 'line': [[1, 1], [9, 4]], "
-                           "'colors': ['#ff0000', '#00ff00'] }]")};
+            u"'materials': { 'm': { 'texture': 'checker' } }, 'primitives': [{ "
+            "'triangle': [[1, 1], [3, 3], [5, 5]], 'colors': ['#ff0000', "
+            "'#ff0000', '#ff0000'], 'material': 'm' }]"_s,
+            u"'primitives': [{ 'line': [[1, 1], [9, 4]], 'colors': ['#ff0000', '#00ff00'] }]"_s,
+            u"'antialiasing': 'area', 'primitives': [{ 'line': [[1, 1], [9, 4]], "
+            "'colors': ['#ff0000', '#00ff00'] }]"_s};
 }
 
 /// The settings without those that a way out names: "without the fill rule and the arithmetic".
 FileSettings without(const QString &way, FileSettings settings)
 {
-    if (way.contains(QStringLiteral("the fill rule")))
+    if (way.contains(u"the fill rule"_s))
         settings.fillRule.clear();
-    if (way.contains(QStringLiteral("the arithmetic")))
+    if (way.contains(u"the arithmetic"_s))
         settings.arithmetic.clear();
-    if (!way.contains(QStringLiteral("the variant")))
+    if (!way.contains(u"the variant"_s))
         return settings;
     const qsizetype all = settings.variants.size();
     settings.variants.removeIf(
@@ -83,7 +79,7 @@ constexpr Choice longestList = 5; ///< rules and arithmetics
 QString captured(const QString &text, const char *pattern, Choice choice)
 {
     const auto match = QRegularExpression(QString::fromLatin1(pattern)).match(text);
-    const QStringList names = match.captured(1).split(QStringLiteral(", "), Qt::SkipEmptyParts);
+    const QStringList names = match.captured(1).split(u", "_s, Qt::SkipEmptyParts);
     return names.isEmpty() ? QString() : names[std::min(choice, names.size() - 1)];
 }
 
@@ -115,11 +111,11 @@ void follow(const QString &objection, Choice choice, Scene &scene)
     if (!other.isEmpty()) {
         scene.method = other.toStdString();
         const QString not_ = captured(objection, " can, but not (.*)$", 0);
-        if (not_.contains(QStringLiteral("fill rule")))
+        if (not_.contains(u"fill rule"_s))
             settings.fillRule = methodNamed(other)->fillRules.front();
-        if (not_.contains(QStringLiteral("in “")))
+        if (not_.contains(u"in “"_s))
             settings.arithmetic = Arithmetic::Exact;
-        if (not_.contains(QStringLiteral("variants")))
+        if (not_.contains(u"variants"_s))
             settings.variants = {};
         return;
     }
@@ -133,10 +129,10 @@ void follow(const QString &objection, Choice choice, Scene &scene)
         = captured(objection, "it can (?:without them and )?in ([a-z0-9., ]+[a-z0-9])", choice);
         !able.isEmpty())
         settings.arithmetic = *arithmeticNamed(able.toStdString());
-    if (objection.contains(QStringLiteral("without them")))
+    if (objection.contains(u"without them"_s))
         settings.variants = {};
     for (const Variant variant : variantsIn(settings.variants)) {
-        if (objection.contains(QStringLiteral("knows no variant “") + nameText(nameOf(variant))))
+        if (objection.contains(u"knows no variant “"_s + nameText(nameOf(variant))))
             settings.variants = settings.variants.without(variant);
     }
 }
@@ -181,15 +177,14 @@ private slots:
                         if (reading)
                             continue;
                         const QString text = reading.error().message();
-                        const qsizetype at = text.indexOf(QStringLiteral("; one does "));
+                        const qsizetype at = text.indexOf(u"; one does "_s);
                         QVERIFY2(at >= 0, qPrintable(text));
-                        for (const QString &way :
-                             text.mid(at + 11).split(QStringLiteral(", or "))) {
+                        for (const QString &way : text.mid(at + 11).split(u", or "_s)) {
                             const auto freed = readScene(sceneText(body, without(way, settings)));
                             QVERIFY2(freed, qPrintable(text));
                             QVERIFY2(objectionTo(freed->scene).isEmpty(),
                                      qPrintable(text + u'\n' + objectionTo(freed->scene)));
-                            pairs += way.contains(QStringLiteral(" and ")) ? 1 : 0;
+                            pairs += way.contains(u" and "_s) ? 1 : 0;
                         }
                         ++refused;
                     }
@@ -263,12 +258,11 @@ private slots:
                                 const QString then = objectionTo(followed);
                                 QVERIFY2(then.isEmpty(),
                                          qPrintable(method.id + u' ' + objection
-                                                    + QStringLiteral("\nthen, by choice %1, %2")
-                                                          .arg(choice)
-                                                          .arg(then)));
+                                                    + u"\nthen, by choice %1, %2"_s.arg(choice).arg(
+                                                        then)));
                             }
                             ++refused;
-                            several += objection.contains(QStringLiteral("It also")) ? 1 : 0;
+                            several += objection.contains(u"It also"_s) ? 1 : 0;
                         }
                     }
                 }

@@ -136,14 +136,10 @@ QString wrongLevels(std::int64_t (*level)(const ColourPlace &), int bits, std::i
             first = place.text();
     }
     if (meant < placeCount / 20)
-        return QStringLiteral("only %1 places in the domain").arg(meant);
+        return u"only %1 places in the domain"_s.arg(meant);
     if (wrong == 0)
         return {};
-    return QStringLiteral("%1 of %2 wrong with seed %3, first %4")
-        .arg(wrong)
-        .arg(meant)
-        .arg(seed)
-        .arg(first);
+    return u"%1 of %2 wrong with seed %3, first %4"_s.arg(wrong).arg(meant).arg(seed).arg(first);
 }
 
 } // namespace

@@ -24,8 +24,7 @@ struct Place {
     Int128 denominator() const { return Int128(dx) * scale; }
     QString text() const
     {
-        return QStringLiteral("(%1, %2) + (%3, %4), scale %5, column %6")
-            .arg(xa)
+        return u"(%1, %2) + (%3, %4), scale %5, column %6"_s.arg(xa)
             .arg(ya)
             .arg(dx)
             .arg(dy)
@@ -158,11 +157,7 @@ QString wrongPlaces(Rows (*rows)(const Place &), std::uint64_t seed, int count,
     }
     if (wrong == 0)
         return {};
-    return QStringLiteral("%1 of %2 wrong with seed %3, first %4")
-        .arg(wrong)
-        .arg(count)
-        .arg(seed)
-        .arg(first);
+    return u"%1 of %2 wrong with seed %3, first %4"_s.arg(wrong).arg(count).arg(seed).arg(first);
 }
 
 /// A canvas with W'·Y' just below 2^bits, in all shapes from flat to steep; Y' is at least two

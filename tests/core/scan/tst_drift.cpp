@@ -97,7 +97,7 @@ private slots:
             const SpanRecord tip = traced->trace->span(0);
             QCOMPARE(tip.lower, tip.upper);
             for (const QChar letter : channelLetters)
-                QVERIFY(spanNumber(*traced, 0, QStringLiteral("first_") + letter).isFinite());
+                QVERIFY(spanNumber(*traced, 0, u"first_"_s + letter).isFinite());
             QCOMPARE(traced->trace->changes()[0].after, packed(red));
         }
     }

@@ -82,7 +82,7 @@ QString positionsOf(const Scene &scene)
 {
     QString text;
     const auto append = [&](const Vertex &vertex) {
-        text += QStringLiteral(" (%1, %2)").arg(vertex.position.x).arg(vertex.position.y);
+        text += u" (%1, %2)"_s.arg(vertex.position.x).arg(vertex.position.y);
     };
     for (const Triangle &triangle : scene.triangles)
         std::ranges::for_each(triangle.vertices, append);
@@ -93,8 +93,7 @@ QString positionsOf(const Scene &scene)
 
 QString describe(const Scene &scene, const QString &expected, const QString &found)
 {
-    return QStringLiteral(
-               "%1, %2, %3, first (%4, %5), units of 1/256 px:%6\nby definition:\n%7found:\n%8")
+    return u"%1, %2, %3, first (%4, %5), units of 1/256 px:%6\nby definition:\n%7found:\n%8"_s
         .arg(QString::fromStdString(scene.method),
              scene.frame.origin == FrameOrigin::TopLeft ? "y down" : "y up",
              scene.frame.pixelCentre == PixelCentre::Half ? "half" : "integer")
@@ -156,8 +155,7 @@ QString coverageFault(const TriangleMesh &mesh, const Scene &scene)
             const bool isInside = sample.x > mesh.lowest.x && sample.x < mesh.highest.x
                 && sample.y > mesh.lowest.y && sample.y < mesh.highest.y;
             if (writes.at(x, y) > 1 || (isInside && writes.at(x, y) == 0))
-                return QStringLiteral("(%1, %2) is written %3 times in a mesh of%4")
-                    .arg(x)
+                return u"(%1, %2) is written %3 times in a mesh of%4"_s.arg(x)
                     .arg(y)
                     .arg(writes.at(x, y))
                     .arg(positionsOf(scene));

@@ -226,7 +226,7 @@ private slots:
             const SpanRecord record = traced->trace->span(span);
             if (record.firstDrawn >= record.endDrawn)
                 continue;
-            QVERIFY(cell(record, QStringLiteral("first_R")) == cell(record, QStringLiteral("R_B")));
+            QVERIFY(cell(record, u"first_R"_s) == cell(record, u"R_B"_s));
             ++seen;
         }
         QVERIFY(seen > 15);
@@ -266,7 +266,7 @@ private slots:
         // Its words about the start of an edge describe the kernel: at its first row, an edge that
         // starts between two rows has its vertex' x.
         const VariantWords &words = wordsOf(Variant::NoEdgePreStep, rows.spanAxis);
-        QCOMPARE(nameText(words.printed), QStringLiteral("x = x₀ at the first row"));
+        QCOMPARE(nameText(words.printed), u"x = x₀ at the first row"_s);
         Scene scene;
         scene.frame = frameOf(24, 20);
         scene.method = "row-walk";
@@ -288,8 +288,8 @@ private slots:
         for (const char *method : {"column-scan", "row-walk", "line-dda"}) {
             const Method &drawn = *methodNamed(QString::fromLatin1(method));
             const QString fault = nameText(wordsOf(Variant::NoEdgePreStep, drawn.spanAxis).fault);
-            QVERIFY2(fault.endsWith(QStringLiteral("of samples does not show it."))
-                         || fault.contains(QStringLiteral("on a column of samples")),
+            QVERIFY2(fault.endsWith(u"of samples does not show it."_s)
+                         || fault.contains(u"on a column of samples"_s),
                      qPrintable(fault));
             for (const PixelCentre centre : {PixelCentre::Integer, PixelCentre::Half}) {
                 for (const Lattice offset : {Lattice(0), unitsPerPixel / 2}) {
@@ -379,7 +379,7 @@ private slots:
 
     void variantsDepartFromColoursAloneAndRefuseEffects()
     {
-        Scene scene = readSceneFile(resource(QStringLiteral("/scenes/lit-sphere.json")))->scene;
+        Scene scene = readSceneFile(resource(u"/scenes/lit-sphere.json"_s))->scene;
         scene.method = "column-scan";
         QCOMPARE(objectionTo(scene), QString());
         scene.settings.variants = only(Variant::NoColourPreStep);

@@ -89,7 +89,7 @@ private slots:
         scene.frame.firstColumn = 1;
         scene.frame.firstRow = 3;
 
-        QCOMPARE(asciiRaster(coverageOf(SceneRun(scene))), QStringLiteral("#..\n##.\n"));
+        QCOMPARE(asciiRaster(coverageOf(SceneRun(scene))), u"#..\n##.\n"_s);
     }
 
     void readsBackWhatItWrote_data()

@@ -69,7 +69,7 @@ private slots:
         QVERIFY2(snapped.isOk(), snapped ? "" : qPrintable(snapped.error().message()));
         QCOMPARE(snapped->units, units);
         QCOMPARE(toText(snapped->displacement), displacement);
-        QCOMPARE(snapped->isDisplaced(), displacement != QStringLiteral("0"));
+        QCOMPARE(snapped->isDisplaced(), displacement != u"0"_s);
     }
 
     void refusesWhatIsNoCoordinate_data()
@@ -120,7 +120,7 @@ private slots:
         const Result<SnappedNumber> snapped = parseCoordinate(QString(1000, u'1'));
 
         QVERIFY(!snapped.isOk());
-        QVERIFY(snapped.error().found.endsWith(QStringLiteral("is longer than 400 characters")));
+        QVERIFY(snapped.error().found.endsWith(u"is longer than 400 characters"_s));
     }
 
     void writesTheShortestExactCoordinate_data()

@@ -35,22 +35,21 @@ private slots:
     {
         QFETCH(QByteArray, lineEnd);
         constexpr qsizetype faces = 500'000;
-        const auto mesh = parseMesh(meshOf(faces, lineEnd), QStringLiteral("m.obj"));
+        const auto mesh = parseMesh(meshOf(faces, lineEnd), u"m.obj"_s);
         QVERIFY2(mesh.isOk(), mesh ? "" : qPrintable(mesh.error().message()));
         QCOMPARE(mesh->faces.size(), std::size_t(faces));
         QCOMPARE(mesh->corners.size(), std::size_t(3));
-        const auto broken
-            = parseMesh(meshOf(faces, lineEnd) + "f 1 2 x" + lineEnd, QStringLiteral("m.obj"));
+        const auto broken = parseMesh(meshOf(faces, lineEnd) + "f 1 2 x" + lineEnd, u"m.obj"_s);
         QVERIFY(!broken.isOk());
-        QVERIFY2(broken.error().message().contains(QStringLiteral("m.obj, line 500004")),
+        QVERIFY2(broken.error().message().contains(u"m.obj, line 500004"_s),
                  qPrintable(broken.error().message()));
     }
 
     void aMeshOfTooManyFacesIsRefusedAtTheFirstOneTooMany()
     {
-        const auto mesh = parseMesh(meshOf(2'200'000, "\n"), QStringLiteral("m.obj"));
+        const auto mesh = parseMesh(meshOf(2'200'000, "\n"), u"m.obj"_s);
         QVERIFY(!mesh.isOk());
-        QVERIFY2(mesh.error().message().contains(QStringLiteral("m.obj, line 2097156")),
+        QVERIFY2(mesh.error().message().contains(u"m.obj, line 2097156"_s),
                  qPrintable(mesh.error().message()));
     }
 };

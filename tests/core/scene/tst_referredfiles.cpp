@@ -36,8 +36,8 @@ private slots:
             for (int column = 0; column < 2; ++column)
                 picture.setPixel(column, row, qRgb(10 * row, column, 7));
         }
-        QVERIFY(picture.save(folder.filePath(QStringLiteral("picture.png"))));
-        const QString path = folder.filePath(QStringLiteral("scene.json"));
+        QVERIFY(picture.save(folder.filePath(u"picture.png"_s)));
+        const QString path = folder.filePath(u"scene.json"_s);
         write(path,
               sceneOf("'materials': { 'a': { 'texture': 'picture.png' }, 'b': { 'texture': "
                       "'picture.png' } },"));
@@ -56,18 +56,18 @@ private slots:
     void aSceneThatIsSavedElsewhereFindsItsFiles()
     {
         const QTemporaryDir folder;
-        const QDir below(folder.filePath(QStringLiteral("below")));
-        QVERIFY(below.mkpath(QStringLiteral(".")));
-        QVERIFY(QImage(4, 4, QImage::Format_RGB32).save(below.filePath(QStringLiteral("p.png"))));
-        write(below.filePath(QStringLiteral("m.obj")), "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
-        const QString here = below.filePath(QStringLiteral("scene.json"));
+        const QDir below(folder.filePath(u"below"_s));
+        QVERIFY(below.mkpath(u"."_s));
+        QVERIFY(QImage(4, 4, QImage::Format_RGB32).save(below.filePath(u"p.png"_s)));
+        write(below.filePath(u"m.obj"_s), "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
+        const QString here = below.filePath(u"scene.json"_s);
         write(here,
               sceneOf(camera + "'materials': { 'a': { 'texture': 'p.png' } },",
                       "{ 'mesh': 'm.obj', 'material': 'a' }"));
         const Result<SceneReading> reading = readSceneFile(here);
         QVERIFY2(reading, reading ? "" : qPrintable(reading.error().message()));
 
-        const QString elsewhere = folder.filePath(QStringLiteral("scene.json"));
+        const QString elsewhere = folder.filePath(u"scene.json"_s);
         QVERIFY(!writeSceneFile(elsewhere, reading->scene));
         const Result<SceneReading> again = readSceneFile(elsewhere);
 
@@ -81,26 +81,26 @@ private slots:
     void whatASceneNamesIsWeighedBeforeItIsRead()
     {
         const QTemporaryDir folder;
-        write(folder.filePath(QStringLiteral("a.obj")), QByteArray(1000, ' '));
-        write(folder.filePath(QStringLiteral("b.png")), QByteArray(30, ' '));
+        write(folder.filePath(u"a.obj"_s), QByteArray(1000, ' '));
+        write(folder.filePath(u"b.png"_s), QByteArray(30, ' '));
         const QByteArray text = sceneOf(
             "'materials': { 'a': { 'texture': 'b.png' }, 'c': { 'texture': 'checker' } },",
             "{ 'mesh': 'a.obj' }, { 'mesh': 'a.obj' }, { 'mesh': 'none.obj' }");
-        const QString path = folder.filePath(QStringLiteral("scene.json"));
+        const QString path = folder.filePath(u"scene.json"_s);
         write(path, text);
         QCOMPARE(bytesToRead(path), text.size() + 1030);
-        QCOMPARE(bytesToRead(folder.filePath(QStringLiteral("a.obj"))), qint64(1000));
-        QCOMPARE(bytesToRead(folder.filePath(QStringLiteral("none.json"))), qint64(0));
+        QCOMPARE(bytesToRead(folder.filePath(u"a.obj"_s)), qint64(1000));
+        QCOMPARE(bytesToRead(folder.filePath(u"none.json"_s)), qint64(0));
     }
 
     void meshReadingReportsProgressAndCanBeStopped()
     {
         const QTemporaryDir folder;
-        const QString path = folder.filePath(QStringLiteral("scene.json"));
+        const QString path = folder.filePath(u"scene.json"_s);
         write(path, sceneOf(camera, "{ 'mesh': 'large.obj' }"));
         const QByteArray mesh
             = "v 0 0 0\nv 1 0 0\nv 0 1 0\n" + QByteArray("f 1 2 3\n").repeated(10'000);
-        write(folder.filePath(QStringLiteral("large.obj")), mesh);
+        write(folder.filePath(u"large.obj"_s), mesh);
         std::vector<std::int64_t> told;
         QVERIFY(readSceneFile(path, [&](const JobProgress &progress) {
             told.push_back(progress.done);
@@ -114,16 +114,16 @@ private slots:
         const auto cancelled
             = readSceneFile(path, [&](const JobProgress &) { return ++calls < 4; });
         QVERIFY(!cancelled);
-        QVERIFY(cancelled.error().message().contains(QStringLiteral("the reading was cancelled")));
+        QVERIFY(cancelled.error().message().contains(u"the reading was cancelled"_s));
         QCOMPARE(calls, 4);
     }
 
     void marksRemarksAndLinesThatGoOnAreNoFaults()
     {
         const QTemporaryDir folder;
-        const QString path = folder.filePath(QStringLiteral("scene.json"));
+        const QString path = folder.filePath(u"scene.json"_s);
         write(path, sceneOf(camera, "{ 'mesh': 'm.obj' }"));
-        write(folder.filePath(QStringLiteral("m.obj")),
+        write(folder.filePath(u"m.obj"_s),
               "\xEF\xBB\xBFv 0 0 0 # the first\nv 1 0 0\nv 0 1 0\nf 1 2 \\\n 3 # one\n");
 
         const Result<SceneReading> reading = readSceneFile(path);
@@ -136,14 +136,14 @@ private slots:
     void aPipeIsNotWaitedFor()
     {
         const QTemporaryDir folder;
-        QCOMPARE(::mkfifo(QFile::encodeName(folder.filePath(QStringLiteral("m.obj"))), 0600), 0);
-        const QString path = folder.filePath(QStringLiteral("scene.json"));
+        QCOMPARE(::mkfifo(QFile::encodeName(folder.filePath(u"m.obj"_s)), 0600), 0);
+        const QString path = folder.filePath(u"scene.json"_s);
         write(path, sceneOf(camera, "{ 'mesh': 'm.obj' }"));
 
         const Result<SceneReading> reading = readSceneFile(path);
 
         QVERIFY(!reading);
-        QVERIFY2(reading.error().message().contains(QStringLiteral("it is a pipe or a device")),
+        QVERIFY2(reading.error().message().contains(u"it is a pipe or a device"_s),
                  qPrintable(reading.error().message()));
     }
 
@@ -219,7 +219,7 @@ private slots:
         if (!content.isEmpty())
             write(folder.filePath(name), content);
         const QByteArray quoted = '"' + name.toUtf8() + '"';
-        const QByteArray text = name.endsWith(QStringLiteral(".obj"))
+        const QByteArray text = name.endsWith(u".obj"_s)
             ? sceneOf(camera, "{ \"mesh\": " + quoted + " }")
             : sceneOf("\"materials\": { \"a\": { \"texture\": " + quoted + " } },");
 
@@ -234,7 +234,7 @@ private slots:
     {
         const QTemporaryDir folder;
         write(
-            folder.filePath(QStringLiteral("a.obj")),
+            folder.filePath(u"a.obj"_s),
             "o house\nmtllib none.mtl\nv 0 0 0\nv 2 0 0\nv 2 2 0\nv 0 2.5e-1 0\nvt 0 1\nvt +1 0.5\n"
             "vn 0 0 1\ng wall\nusemtl none\nf 1//1 2//1 3//1 4//1\nf -4/1 -2/2 -1/1");
         const Scene scene

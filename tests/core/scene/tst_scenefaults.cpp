@@ -31,10 +31,10 @@ private slots:
     {
         QTest::addColumn<QByteArray>("text");
         QTest::addColumn<QString>("message");
-        const QString faults = textInTree(QStringLiteral("tests/data/scene_faults.txt"));
-        for (const QString &fault : (u'\n' + faults).split(QStringLiteral("\n# ")).sliced(1)) {
+        const QString faults = textInTree(u"tests/data/scene_faults.txt"_s);
+        for (const QString &fault : (u'\n' + faults).split(u"\n# "_s).sliced(1)) {
             const qsizetype text = fault.indexOf(u'\n') + 1;
-            const qsizetype message = fault.indexOf(QStringLiteral("\n! "));
+            const qsizetype message = fault.indexOf(u"\n! "_s);
             const QByteArray written = fault.sliced(text, message - text).toUtf8();
             QTest::newRow(qPrintable(fault.first(text - 1)))
                 << (written.startsWith("...\n") ? sceneWith(written.sliced(4)) : written)
@@ -51,7 +51,7 @@ private slots:
     void aTextOfNothingIsNoJson()
     {
         for (const char *text : {"", " \n "})
-            QCOMPARE(errorOf(text), QStringLiteral("the input is empty; expected JSON"));
+            QCOMPARE(errorOf(text), u"the input is empty; expected JSON"_s);
     }
 
     void namesAllMethodsWhereThereIsNoSuchOne()
@@ -61,8 +61,7 @@ private slots:
             ids.append(method.id);
 
         QCOMPARE(errorOf(sceneWith(R"("method": "raytracer", "primitives": [])")),
-                 QStringLiteral("line 4, column 11, method: “raytracer”; expected one of ")
-                     + ids.join(QStringLiteral(", ")));
+                 u"line 4, column 11, method: “raytracer”; expected one of "_s + ids.join(u", "_s));
     }
 
     void tellsLineAndColumnOfASyntaxError()
@@ -70,7 +69,7 @@ private slots:
         const Result<SceneReading> reading = readScene("{\n  \"pixelplumb\": 1,\n  oops\n}");
 
         QVERIFY(!reading.isOk());
-        QVERIFY2(reading.error().place.startsWith(QStringLiteral("line 3, column ")),
+        QVERIFY2(reading.error().place.startsWith(u"line 3, column "_s),
                  qPrintable(reading.error().message()));
     }
 
@@ -110,7 +109,7 @@ private slots:
         QVERIFY(large.size() > shortText);
 
         QCOMPARE(errorOf(large), errorOf(textOf(7, 1)));
-        QVERIFY(errorOf(large) != QStringLiteral("no error"));
+        QVERIFY(errorOf(large) != u"no error"_s);
     }
 
     void findsWhereALargeTextIsNoJson_data()
@@ -146,18 +145,17 @@ private slots:
 
         const QString error = errorOf(text + end);
 
-        QVERIFY2(error.startsWith(QStringLiteral("line %1, ").arg(lines + 3)), qPrintable(error));
+        QVERIFY2(error.startsWith(u"line %1, "_s.arg(lines + 3)), qPrintable(error));
         QVERIFY2(error.contains(message), qPrintable(error));
     }
 
     void refusesAnArithmeticThatTheMethodDoesNotKnow()
     {
-        QCOMPARE(
-            errorOf(sceneOfPrimitives(
-                shapeExamples()[2].text,
-                "\"method\": \"circle-parametric\", \"arithmetic\": \"exact\", ")),
-            QStringLiteral("line 2, column 46, arithmetic: method “circle-parametric” does not "
-                           "compute in “exact”; it knows float64, float32"));
+        QCOMPARE(errorOf(sceneOfPrimitives(
+                     shapeExamples()[2].text,
+                     "\"method\": \"circle-parametric\", \"arithmetic\": \"exact\", ")),
+                 u"line 2, column 46, arithmetic: method “circle-parametric” does not "
+                 "compute in “exact”; it knows float64, float32"_s);
     }
 
     void refusesEveryTextThatIsCutShort()
@@ -182,21 +180,19 @@ private slots:
         QTest::newRow("as many as may be") << polygon + ",\n" + polygon << QString();
         QTest::newRow("vertices of three polygons")
             << polygon + ",\n" + polygon + ",\n" + polygon
-            << QStringLiteral(
-                   "line 5, column 14, primitives[2].polygon: with it the scene's shapes "
-                   "have 3145728 vertices, 20 for each character of a text; expected at most "
-                   "2097152");
+            << u"line 5, column 14, primitives[2].polygon: with it the scene's shapes "
+               "have 3145728 vertices, 20 for each character of a text; expected at most "
+               "2097152"_s;
         QTest::newRow("characters")
             << "{ \"text\": \"" + QByteArray(most / 20 + 1, 'a')
                 + "\", \"at\": [0, 0], \"height\": 9, \"color\": \"#000000\" }"
-            << QStringLiteral("line 3, column 11, primitives[0].text: with it the scene's shapes "
-                              "have 2097160 vertices");
+            << u"line 3, column 11, primitives[0].text: with it the scene's shapes "
+               "have 2097160 vertices"_s;
         QTest::newRow("values of one primitive")
             << "{ \"polygon\": [" + QByteArray("0,").repeated(16'777'216) + "0]}"
-            << QStringLiteral(
-                   "line 3, column 33554443, primitives[0].polygon[16777214]: a value too "
-                   "many; expected at most 16777216 in a file without primitives, or in "
-                   "one primitive");
+            << u"line 3, column 33554443, primitives[0].polygon[16777214]: a value too "
+               "many; expected at most 16777216 in a file without primitives, or in "
+               "one primitive"_s;
     }
     void whatTakesTooMuchMemoryIsRefusedWithItsPlace()
     {
@@ -229,11 +225,11 @@ private slots:
         const QByteArray sphere = "{ 'sphere': [0, 0, 0], 'radius': 1, 'segments': [1024, 1024] }";
         QVERIFY(readScene(sceneOf(camera, sphere)));
         const QString error = faultOf(sceneOf(camera, sphere + ", " + sphere));
-        QVERIFY2(error.startsWith(QStringLiteral(
-                     "primitives[1].sphere: the scene's solids are cut into 4190208 triangles, ")),
-                 qPrintable(error));
-        QVERIFY2(error.endsWith(QStringLiteral(" MiB; expected at most 2097152 triangles")),
-                 qPrintable(error));
+        QVERIFY2(
+            error.startsWith(
+                u"primitives[1].sphere: the scene's solids are cut into 4190208 triangles, "_s),
+            qPrintable(error));
+        QVERIFY2(error.endsWith(u" MiB; expected at most 2097152 triangles"_s), qPrintable(error));
     }
 };
 

@@ -101,13 +101,12 @@ private slots:
         QTest::addColumn<QString>("found");
         QTest::newRow("a number") << QByteArray(
             "{ 'line': [[0, 0], [9, 0]], 'colors': ['#ff0000', '#ff0000'], 'hidden': 1 }")
-                                  << QStringLiteral(
-                                         "primitives[0].hidden: 1; expected true or false");
+                                  << u"primitives[0].hidden: 1; expected true or false"_s;
         QTest::newRow("a triangle after a hidden shape") << QByteArray(
             "{ 'line': [[0, 0], [9, 0]], 'colors': ['#ff0000', '#ff0000'], 'hidden': true }, { "
             "'triangle': [[0, 0], [9, 0], [0, 9]], 'colors': ['#ff0000', '#ff0000', '#ff0000'] }")
-                                                         << QStringLiteral("a triangle after "
-                                                                           "another primitive");
+                                                         << u"a triangle after "
+                                                            "another primitive"_s;
     }
     void whatIsNoHidingIsAnError()
     {
@@ -160,7 +159,7 @@ private slots:
     void savesAndOpensAFile()
     {
         const QTemporaryDir folder;
-        const QString path = folder.filePath(QStringLiteral("scene.json"));
+        const QString path = folder.filePath(u"scene.json"_s);
         const Scene scene = randomScene(3);
 
         QVERIFY(!writeSceneFile(path, scene));
@@ -173,7 +172,7 @@ private slots:
     void namesTheFileThatCannotBeReadOrWritten()
     {
         const QTemporaryDir folder;
-        const QString missing = folder.filePath(QStringLiteral("no/such.json"));
+        const QString missing = folder.filePath(u"no/such.json"_s);
 
         const Result<SceneReading> reading = readSceneFile(missing);
         const std::optional<InputError> writing = writeSceneFile(missing, Scene());
@@ -184,16 +183,16 @@ private slots:
         QVERIFY(writing.has_value());
         QCOMPARE(writing->place, missing);
         QVERIFY(!folderReading.isOk());
-        QCOMPARE(folderReading.error().found, QStringLiteral("cannot be read: it is a folder"));
+        QCOMPARE(folderReading.error().found, u"cannot be read: it is a folder"_s);
     }
 
     void keepsTheOldFileWhenWritingFails()
     {
         const QTemporaryDir folder;
-        const QString path = folder.filePath(QStringLiteral("scene.json"));
+        const QString path = folder.filePath(u"scene.json"_s);
         QVERIFY(!writeFile(path, "old"));
 
-        const std::optional<InputError> error = writeFile(path + QStringLiteral("/below"), "new");
+        const std::optional<InputError> error = writeFile(path + u"/below"_s, "new");
 
         QVERIFY(error.has_value());
         QCOMPARE(*readFile(path), QByteArray("old"));

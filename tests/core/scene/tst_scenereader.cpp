@@ -61,8 +61,8 @@ private slots:
         QVERIFY(point.has_value());
         QCOMPARE(*point, (LatticePoint{-3 * unitsPerPixel, 13 * halfPixel}));
         QCOMPARE(errorOf(sceneWith(R"("offScreenPoint": [1], "primitives": [])")),
-                 QStringLiteral("line 4, column 19, offScreenPoint: an array of 1; expected an "
-                                "array of 2"));
+                 u"line 4, column 19, offScreenPoint: an array of 1; expected an "
+                 "array of 2"_s);
     }
 
     void reportsEachVertexThatWasSnapped()
@@ -71,10 +71,9 @@ private slots:
 
         QVERIFY(reading.isOk());
         QCOMPARE(reading->snaps.size(), std::size_t(1));
-        QCOMPARE(
-            reading->snaps.front().message(),
-            QStringLiteral("primitives[0].triangle[0][0]: 12.1 is drawn at 1549/128, displaced by "
-                           "1/640 px"));
+        QCOMPARE(reading->snaps.front().message(),
+                 u"primitives[0].triangle[0][0]: 12.1 is drawn at 1549/128, displaced by "
+                 "1/640 px"_s);
     }
 
     void aDisplacementBelowAllDoublesIsNotToldAsTheSmallest()
@@ -82,15 +81,15 @@ private slots:
         const Result<SceneReading> reading = readScene(sceneOfTriangleAt("1e-400"));
 
         QCOMPARE(reading->snaps.front().message(),
-                 QStringLiteral("primitives[0].triangle[0][0]: 1e-400 is drawn at 0, displaced by "
-                                "less than 1e-300 px"));
+                 u"primitives[0].triangle[0][0]: 1e-400 is drawn at 0, displaced by "
+                 "less than 1e-300 px"_s);
     }
 
     void opensEveryTeachingScene_data()
     {
         QTest::addColumn<QString>("path");
-        const QDir folder(resource(QStringLiteral("/scenes")));
-        const QStringList names = folder.entryList({QStringLiteral("*.json")});
+        const QDir folder(resource(u"/scenes"_s));
+        const QStringList names = folder.entryList({u"*.json"_s});
         QVERIFY(names.size() >= 5);
         for (const QString &name : names)
             QTest::newRow(qPrintable(name)) << folder.filePath(name);

@@ -73,8 +73,8 @@ private slots:
         QVERIFY(reading);
         QCOMPARE(reading->snaps.size(), std::size_t(1));
         QCOMPARE(reading->snaps[0].message(),
-                 QStringLiteral("primitives[0].z[1]: 1/3 is read as 5592405/16777216, displaced by "
-                                "-1/50331648"));
+                 u"primitives[0].z[1]: 1/3 is read as 5592405/16777216, displaced by "
+                 "-1/50331648"_s);
     }
 
     void ofManyThatAreMovedTheFirstAreReportedAndAllCounted()
@@ -252,9 +252,9 @@ private slots:
         QVERIFY(sceneFrom(writeScene(scene)) == scene);
 
         QCOMPARE(faultOf(sceneOf(members, primitives + "{ 'sphere': [0, 0], 'radius': 1 }")),
-                 QStringLiteral("primitives[10000].sphere: an array of 2; expected an array of 3"));
+                 u"primitives[10000].sphere: an array of 2; expected an array of 3"_s);
         QCOMPARE(faultOf(sceneOf("'camera': { 'near': -1 },", primitives + "{}")),
-                 QStringLiteral("camera.near: -1; expected more than 0"));
+                 u"camera.near: -1; expected more than 0"_s);
     }
 };
 

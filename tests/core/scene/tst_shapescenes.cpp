@@ -100,8 +100,8 @@ private slots:
         QVERIFY(reading.isOk());
         QCOMPARE(reading->snaps.size(), std::size_t(1));
         QCOMPARE(reading->snaps.front().message(),
-                 QStringLiteral("primitives[0].circle.radius: 0.1 is drawn at 13/128, displaced by "
-                                "1/640 px"));
+                 u"primitives[0].circle.radius: 0.1 is drawn at 13/128, displaced by "
+                 "1/640 px"_s);
     }
 
     void keepsAMethodThatDrawsNoneOfThePrimitivesYet()

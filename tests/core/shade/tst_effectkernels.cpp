@@ -33,13 +33,13 @@ QString nameOf(ShadedMethod method)
 {
     switch (method) {
     case ShadedMethod::ColumnScan:
-        return QStringLiteral("column-scan");
+        return u"column-scan"_s;
     case ShadedMethod::Bilinear:
-        return QStringLiteral("interpolate-bilinear");
+        return u"interpolate-bilinear"_s;
     case ShadedMethod::Plane:
-        return QStringLiteral("interpolate-plane");
+        return u"interpolate-plane"_s;
     case ShadedMethod::Barycentric:
-        return QStringLiteral("interpolate-barycentric");
+        return u"interpolate-barycentric"_s;
     }
     return {};
 }
@@ -79,7 +79,7 @@ Departure departureOf(const FrameBuffer &drawn, const FrameBuffer &truth,
     Departure departure;
     const FrameView view = truth.view();
     const auto text = [](const Colour &colour) {
-        return QStringLiteral("%1 %2 %3").arg(colour.red()).arg(colour.green()).arg(colour.blue());
+        return u"%1 %2 %3"_s.arg(colour.red()).arg(colour.green()).arg(colour.blue());
     };
     for (std::int64_t y = view.firstRow; y < view.endRow(); ++y) {
         for (std::int64_t x = view.firstColumn; x < view.endColumn(); ++x) {
@@ -88,10 +88,8 @@ Departure departureOf(const FrameBuffer &drawn, const FrameBuffer &truth,
             if (is == should || std::ranges::count(undecided, oracle::PixelPlace{x, y}) > 0)
                 continue;
             if (departure.pixels++ == 0)
-                departure.first = QStringLiteral("(%1, %2): %3 instead of %4")
-                                      .arg(x)
-                                      .arg(y)
-                                      .arg(text(is), text(should));
+                departure.first
+                    = u"(%1, %2): %3 instead of %4"_s.arg(x).arg(y).arg(text(is), text(should));
             int levels = 0;
             for (std::size_t channel = 0; channel < 3; ++channel)
                 levels
@@ -116,7 +114,7 @@ void forEachScene(EffectHardship hardship, const std::vector<Arithmetic> &arithm
                 const ByteRounding rounding
                     = seed % 4 == 0 ? ByteRounding::Truncate : ByteRounding::Nearest;
                 function(scene, ScanSettings{arithmetic, rule, rounding},
-                         QStringLiteral("seed %1, %2, ").arg(seed).arg(scene.name));
+                         u"seed %1, %2, "_s.arg(seed).arg(scene.name));
             }
         }
     }
@@ -124,10 +122,7 @@ void forEachScene(EffectHardship hardship, const std::vector<Arithmetic> &arithm
 
 QString textOf(ShadedMethod method, const Departure &departure)
 {
-    return QStringLiteral("%1: %2 pixels, %3")
-        .arg(nameOf(method))
-        .arg(departure.pixels)
-        .arg(departure.first);
+    return u"%1: %2 pixels, %3"_s.arg(nameOf(method)).arg(departure.pixels).arg(departure.first);
 }
 
 void addHardshipRows()
@@ -271,8 +266,7 @@ private slots:
                          }
                      });
         for (std::size_t i = 0; i < shadedMethods.size(); ++i) {
-            qInfo().noquote() << QStringLiteral(
-                                     "%1: of %2 pixels %3 differ, %4 by more than a level")
+            qInfo().noquote() << u"%1: of %2 pixels %3 differ, %4 by more than a level"_s
                                      .arg(nameOf(shadedMethods[i]))
                                      .arg(pixels)
                                      .arg(others[i])

@@ -176,8 +176,7 @@ private:
                         mayDiffer
                             || pictureOf(method, primitives, scene.frame, settings).image()
                                 == asCalledFor.image(),
-                        qPrintable(QStringLiteral("%1, seed %2: %3, %4, %5")
-                                       .arg(scene.name)
+                        qPrintable(u"%1, seed %2: %3, %4, %5"_s.arg(scene.name)
                                        .arg(seed)
                                        .arg(nameText(nameOf(effect)), nameText(nameOf(arithmetic)),
                                             nameText(nameOf(rounding)))));

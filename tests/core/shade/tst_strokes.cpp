@@ -38,7 +38,7 @@ QString levelsText(const Scene &scene)
     QString text;
     for (std::int64_t y = frame.view().endRow() - 1; y >= frame.view().firstRow; --y) {
         for (std::int64_t x = frame.view().firstColumn; x < frame.view().endColumn(); ++x)
-            text += QStringLiteral("%1 ").arg(qRed(*frame.view().at(x, y)), 3);
+            text += u"%1 "_s.arg(qRed(*frame.view().at(x, y)), 3);
         text.back() = u'\n';
     }
     return text;
@@ -123,7 +123,7 @@ double sumOfAreas(const Shape &shape, const FrameSpec &frame)
 {
     const auto traced = traceScene(sceneOf({shape}, frame, Antialiasing::Area));
     std::size_t column = 0;
-    while (traced->trace->numbers().sample[column].id != QStringLiteral("area"))
+    while (traced->trace->numbers().sample[column].id != u"area"_s)
         ++column;
     double sum = 0;
     for (std::size_t span = 0; span < traced->trace->spanCount(); ++span) {
@@ -145,9 +145,9 @@ private slots:
         const Scene scene = sceneOf({whiteLine(latticePixel(1, 1), latticePixel(4, 1))},
                                     frameOf(6, 3), Antialiasing::Area);
         QCOMPARE(levelsText(scene),
-                 QStringLiteral("  0   0   0   0   0   0\n"
-                                "  0 128 255 255 128   0\n"
-                                "  0   0   0   0   0   0\n"));
+                 u"  0   0   0   0   0   0\n"
+                 "  0 128 255 255 128   0\n"
+                 "  0   0   0   0   0   0\n"_s);
     }
 
     void aLineBetweenTwoRowsIsHalfInEach()
@@ -155,7 +155,7 @@ private slots:
         const Scene scene
             = sceneOf({whiteLine({-unitsPerPixel, halfPixel}, {9 * unitsPerPixel, halfPixel})},
                       frameOf(2, 3), Antialiasing::Area);
-        QCOMPARE(levelsText(scene), QStringLiteral("  0   0\n128 128\n128 128\n"));
+        QCOMPARE(levelsText(scene), u"  0   0\n128 128\n128 128\n"_s);
     }
 
     /// The sum equals that of four pictures with one sample per pixel, in which the line is shifted
@@ -182,13 +182,13 @@ private slots:
             = traceScene(sceneOf({lineMovedBy({0, 0})}, frame, Antialiasing::Samples4));
         const auto &numbers = traced->trace->numbers().sample;
         QVERIFY(std::ranges::none_of(numbers, [](const NumberDescription &number) {
-            return number.id == QStringLiteral("t") || number.id == QStringLiteral("s_R");
+            return number.id == u"t"_s || number.id == u"s_R"_s;
         }));
         std::size_t shown = 0;
         for (std::size_t span = 0; span < traced->trace->spanCount(); ++span) {
             for (const SampleRecord &sample : traced->trace->samples(span)) {
                 for (std::size_t channel = 0; channel < 3; ++channel) {
-                    const QString id = QStringLiteral("sum_") + channelLetters[channel];
+                    const QString id = u"sum_"_s + channelLetters[channel];
                     const auto column = std::size_t(
                         std::ranges::find(numbers, id, &NumberDescription::id) - numbers.begin());
                     int sum = 0;
@@ -265,7 +265,7 @@ private slots:
             const double sum = sumOfAreas(whiteLine(a, b), frameOf(48, 48, -24, -24));
             // The half width is off by 2^-17 px along each axis.
             QVERIFY2(std::abs(sum / length - 1) < std::exp2(-15.5),
-                     qPrintable(QStringLiteral("%1°: %2").arg(degrees).arg(sum / length)));
+                     qPrintable(u"%1°: %2"_s.arg(degrees).arg(sum / length)));
         }
     }
 
@@ -275,7 +275,7 @@ private slots:
             const double sum = sumOfAreas(circleAt(0, 0, radius), frameOf(48, 48, -24, -24));
             const double circumference = 2 * std::acos(-1.0) * double(radius);
             QVERIFY2(std::abs(sum / circumference - 1) < 1e-3,
-                     qPrintable(QStringLiteral("%1: %2").arg(radius).arg(sum / circumference)));
+                     qPrintable(u"%1: %2"_s.arg(radius).arg(sum / circumference)));
         }
     }
 
@@ -287,7 +287,7 @@ private slots:
         for (const Antialiasing antialiasing : kindsOfAntialiasing) {
             const auto traced = traceScene(sceneOf(points, frameOf(8, 8), antialiasing));
             QCOMPARE(traced->trace->writtenCount(), std::size_t(0));
-            QVERIFY(traced->trace->setUpWords(0).sentence.contains(QStringLiteral("no length")));
+            QVERIFY(traced->trace->setUpWords(0).sentence.contains(u"no length"_s));
         }
     }
 

@@ -102,19 +102,19 @@ private slots:
 
         const FaceStages stages = stagesOf(scene, projectedSolids(scene), 0);
 
-        const StagePoint &divided = stageNamed(stages, QStringLiteral("Division")).points[0];
-        const StageNumber &y = numberNamed(divided, QStringLiteral("y_device"));
-        QCOMPARE(y.exact, QStringLiteral("0.25"));
+        const StagePoint &divided = stageNamed(stages, u"Division"_s).points[0];
+        const StageNumber &y = numberNamed(divided, u"y_device"_s);
+        QCOMPARE(y.exact, u"0.25"_s);
         QVERIFY(y.used != 0.25);
         QCOMPARE(y.error, y.used - 0.25);
-        const StagePoint &place = stageNamed(stages, QStringLiteral("Lattice")).points[0];
-        const StageNumber &x = numberNamed(place, QStringLiteral("x"));
-        QCOMPARE(x.exact, QStringLiteral("54.5")); // 49.5 + 40/8
+        const StagePoint &place = stageNamed(stages, u"Lattice"_s).points[0];
+        const StageNumber &x = numberNamed(place, u"x"_s);
+        QCOMPARE(x.exact, u"54.5"_s); // 49.5 + 40/8
         QCOMPARE(x.error, 0.0);
         for (const ProjectionStage &stage : stages.stages) {
             for (const StagePoint &point : stage.points) {
                 for (const StageNumber &number : point.numbers) {
-                    const double snap = stage.title == QStringLiteral("Lattice") ? 1.0 / 512 : 0;
+                    const double snap = stage.title == u"Lattice"_s ? 1.0 / 512 : 0;
                     QVERIFY(std::abs(number.error) <= 1e-13 + snap);
                     QVERIFY(std::abs(number.exact.toDouble() - number.used) <= 1e-13 + snap);
                 }
@@ -130,13 +130,13 @@ private slots:
 
         const FaceStages stages = stagesOf(scene, projectedSolids(scene), 0);
 
-        const auto &points = stageNamed(stages, QStringLiteral("Clipped polygon")).points;
+        const auto &points = stageNamed(stages, u"Clipped polygon"_s).points;
         QCOMPARE(points.size(), 4U);
-        QCOMPARE(points[1].note, QStringLiteral("V₁, kept"));
-        QCOMPARE(points[2].note, QStringLiteral("the near plane cuts V₁V₂"));
-        QCOMPARE(points[3].note, QStringLiteral("the near plane cuts V₀V₂"));
-        QVERIFY(std::abs(numberNamed(points[2], QStringLiteral("t")).used - 6 / 6.5) < 1e-15);
-        QCOMPARE(numberNamed(points[3], QStringLiteral("t")).exact, QStringLiteral("0.8"));
+        QCOMPARE(points[1].note, u"V₁, kept"_s);
+        QCOMPARE(points[2].note, u"the near plane cuts V₁V₂"_s);
+        QCOMPARE(points[3].note, u"the near plane cuts V₀V₂"_s);
+        QVERIFY(std::abs(numberNamed(points[2], u"t"_s).used - 6 / 6.5) < 1e-15);
+        QCOMPARE(numberNamed(points[3], u"t"_s).exact, u"0.8"_s);
     }
 
     void theColoursOfClippedCornersAndTheLightHaveFormulas_data()
@@ -155,23 +155,19 @@ private slots:
         const FaceStages stages = stagesOf(scene, projectedSolids(scene), 0);
 
         // V₀V₂ is cut at t = 2/2.5.
-        const auto &corners = stageNamed(stages, QStringLiteral("Clipped polygon")).points;
-        const StageNumber &cut = numberNamed(corners[3], QStringLiteral("R"));
-        QCOMPARE(cut.formula, QStringLiteral("R_V₀ + t·(R_V₂ − R_V₀)"));
+        const auto &corners = stageNamed(stages, u"Clipped polygon"_s).points;
+        const StageNumber &cut = numberNamed(corners[3], u"R"_s);
+        QCOMPARE(cut.formula, u"R_V₀ + t·(R_V₂ − R_V₀)"_s);
         const auto levelOf
             = [&](std::size_t vertex) { return stages.face.polygon[vertex].levels[0]; };
         QVERIFY(std::abs(cut.used - (levelOf(0) + 0.8 * (levelOf(2) - levelOf(0)))) < 1e-9);
-        QCOMPARE(numberNamed(corners[1], QStringLiteral("α")).formula, QStringLiteral("α_V₁"));
-        QCOMPARE(numberNamed(stageNamed(stages, QStringLiteral("Lattice")).points[3],
-                             QStringLiteral("G"))
-                     .formula,
-                 QStringLiteral("⌊G′ + ½⌋"));
+        QCOMPARE(numberNamed(corners[1], u"α"_s).formula, u"α_V₁"_s);
+        QCOMPARE(numberNamed(stageNamed(stages, u"Lattice"_s).points[3], u"G"_s).formula,
+                 u"⌊G′ + ½⌋"_s);
         const bool isFlat = shading == Shading::Flat;
-        const ProjectionStage &light
-            = stageNamed(stages,
-                         isFlat ? QStringLiteral("Light at the face's centre")
-                                : QStringLiteral("Light at the vertices"));
-        QCOMPARE(light.points.front().name, QStringLiteral("the lights"));
+        const ProjectionStage &light = stageNamed(
+            stages, isFlat ? u"Light at the face's centre"_s : u"Light at the vertices"_s);
+        QCOMPARE(light.points.front().name, u"the lights"_s);
         for (std::size_t i = 1; i < light.points.size(); ++i) {
             for (const StageNumber &number : light.points[i].numbers)
                 QVERIFY2(!number.formula.isEmpty(), qPrintable(number.name));

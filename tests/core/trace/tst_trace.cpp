@@ -101,16 +101,16 @@ private slots:
         const std::vector<PixelAttempt> history = pixelHistory(*traced, 40, 20);
         QCOMPARE(history.size(), std::size_t(4));
         QVERIFY(history[0].written);
-        QVERIFY(history[0].reason.startsWith(QStringLiteral("Writes R = ")));
+        QVERIFY(history[0].reason.startsWith(u"Writes R = "_s));
         QVERIFY(!history[2].written);
-        QVERIFY(history[2].reason.contains(QStringLiteral("no area")));
+        QVERIFY(history[2].reason.contains(u"no area"_s));
         QVERIFY(history[3].written);
         QCOMPARE(history[3].change.before,
                  history[1].written ? history[1].change.after : history[0].change.after);
         QCOMPARE(traced->trace->stepAt(history[3].step).kind, StepKind::Sample);
         const std::vector<PixelAttempt> outside = pixelHistory(*traced, 4, 6);
-        QVERIFY(outside[0].reason.contains(QStringLiteral("Refused by L₀₁")));
-        QVERIFY(outside[0].reason.contains(QStringLiteral("−1 px measured along the column")));
+        QVERIFY(outside[0].reason.contains(u"Refused by L₀₁"_s));
+        QVERIFY(outside[0].reason.contains(u"−1 px measured along the column"_s));
     }
 
     void halfPixelCentresShiftTheVerticesAndNothingElse()

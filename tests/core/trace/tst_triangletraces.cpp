@@ -63,7 +63,7 @@ private slots:
             // Only off-centre samples reach the column: no edge meets it.
             if (trace.span(span).lower.isNone()) {
                 ++unbounded;
-                QVERIFY(trace.spanWords(span).sentence.startsWith(QStringLiteral("Only samples")));
+                QVERIFY(trace.spanWords(span).sentence.startsWith(u"Only samples"_s));
             }
         }
         QVERIFY(unbounded > 0);
@@ -71,7 +71,7 @@ private slots:
 
     void barycentricOverAllPixelsVisitsThemAll()
     {
-        const Scene scene = tracedSceneOf(QStringLiteral("barycentric-all"), {});
+        const Scene scene = tracedSceneOf(u"barycentric-all"_s, {});
         const auto traced = traceScene(scene);
         QCOMPARE(traced->trace->sampleCount(), std::size_t(5 * 20 * 16));
     }
@@ -126,7 +126,7 @@ private slots:
         const auto rateOf = [](const TracedScene &traced, std::size_t span) {
             const auto &columns = traced.method->numbers.span;
             for (std::size_t i = 0; i < columns.size(); ++i) {
-                if (columns[i].title == QStringLiteral("ΔR"))
+                if (columns[i].title == u"ΔR"_s)
                     return traced.trace->span(span).cells[i].toDouble();
             }
             return 0.0;

@@ -11,7 +11,7 @@ namespace {
 /// "0 ≤ α ≤ 1".
 bool holdsChain(const QString &comparison, const ListingNames &names, Arithmetic arithmetic)
 {
-    const QString signs = QStringLiteral("<≤=≠≥>");
+    const QString signs = u"<≤=≠≥>"_s;
     std::vector<BigRational> values;
     QString between, side;
     const auto end = [&] { values.push_back(valueOf(side.trimmed(), names, arithmetic)); };
@@ -26,7 +26,7 @@ bool holdsChain(const QString &comparison, const ListingNames &names, Arithmetic
     }
     end();
     if (between.isEmpty())
-        throw ListingFault(QStringLiteral("compares nothing: ") + comparison);
+        throw ListingFault(u"compares nothing: "_s + comparison);
     for (qsizetype i = 0; i < between.size(); ++i) {
         const BigRational &a = values[std::size_t(i)];
         const BigRational &b = values[std::size_t(i) + 1];
@@ -43,13 +43,12 @@ bool holdsChain(const QString &comparison, const ListingNames &names, Arithmetic
 /// "A > 0, or A = 0 and B > 0".
 bool holdsOne(const QString &test, const ListingNames &names, Arithmetic arithmetic)
 {
-    const QStringList ways = test.split(QStringLiteral(", or "));
+    const QStringList ways = test.split(u", or "_s);
     return std::ranges::any_of(ways, [&](const QString &way) {
-        const QString rule = way.section(QStringLiteral(" by "), 1);
+        const QString rule = way.section(u" by "_s, 1);
         if (!rule.isEmpty() && !names.contains(rule))
             return false;
-        const QStringList comparisons
-            = way.section(QStringLiteral(" by "), 0, 0).split(QStringLiteral(" and "));
+        const QStringList comparisons = way.section(u" by "_s, 0, 0).split(u" and "_s);
         return std::ranges::all_of(
             comparisons, [&](const QString &each) { return holdsChain(each, names, arithmetic); });
     });

@@ -66,7 +66,7 @@ public:
     {
         const Number value = sum();
         if (m_place != m_text.size())
-            throw ListingFault(QStringLiteral("cannot read “%1”").arg(m_text));
+            throw ListingFault(u"cannot read “%1”"_s.arg(m_text));
         return value;
     }
 
@@ -98,9 +98,9 @@ private:
     {
         Number value = product();
         for (;;) {
-            if (takes(QStringLiteral(" + ")))
+            if (takes(u" + "_s))
                 value = computed(value, Operation::Add, product());
-            else if (takes(QStringLiteral(" − ")))
+            else if (takes(u" − "_s))
                 value = computed(value, Operation::Subtract, product());
             else
                 return value;
@@ -110,14 +110,14 @@ private:
     {
         Number value = factor();
         for (;;) {
-            if (takes(QStringLiteral("·"))) {
+            if (takes(u"·"_s)) {
                 value = computed(value, Operation::Multiply, factor());
-            } else if (takes(QStringLiteral("/"))) {
+            } else if (takes(u"/"_s)) {
                 const Number divisor = factor();
                 if (divisor == 0)
-                    throw ListingFault(QStringLiteral("divides by 0: ") + m_text);
+                    throw ListingFault(u"divides by 0: "_s + m_text);
                 value = computed(value, Operation::Divide, divisor);
-            } else if (takes(QStringLiteral(" mod "))) {
+            } else if (takes(u" mod "_s)) {
                 const Number divisor = factor();
                 value -= divisor * floorOf(value / divisor);
             } else {
@@ -127,40 +127,40 @@ private:
     }
     Number factor()
     {
-        if (takes(QStringLiteral("−")))
+        if (takes(u"−"_s))
             return -factor();
-        if (takes(QStringLiteral("cos ")))
+        if (takes(u"cos "_s))
             return m_arithmetic == Arithmetic::Float32
                 ? Number(std::cos(factor().convert_to<float>()))
                 : Number(std::cos(factor().convert_to<double>()));
-        if (takes(QStringLiteral("sin ")))
+        if (takes(u"sin "_s))
             return m_arithmetic == Arithmetic::Float32
                 ? Number(std::sin(factor().convert_to<float>()))
                 : Number(std::sin(factor().convert_to<double>()));
-        if (takes(QStringLiteral("√")))
+        if (takes(u"√"_s))
             return rooted(factor());
         const Number value = plainFactor();
-        return takes(QStringLiteral("²")) ? computed(value, Operation::Multiply, value) : value;
+        return takes(u"²"_s) ? computed(value, Operation::Multiply, value) : value;
     }
     Number plainFactor()
     {
-        if (takes(QStringLiteral("(int)("))) {
-            const Number value = upTo(QStringLiteral(")"));
+        if (takes(u"(int)("_s)) {
+            const Number value = upTo(u")"_s);
             return value < 0 ? -floorOf(-value) : floorOf(value);
         }
-        if (takes(QStringLiteral("(")))
-            return upTo(QStringLiteral(")"));
-        if (takes(QStringLiteral("⌊")))
-            return floorOf(upTo(QStringLiteral("⌋")));
-        if (takes(QStringLiteral("⌈")))
-            return -floorOf(-upTo(QStringLiteral("⌉")));
-        if (takes(QStringLiteral("|"))) {
-            const Number value = upTo(QStringLiteral("|"));
+        if (takes(u"("_s))
+            return upTo(u")"_s);
+        if (takes(u"⌊"_s))
+            return floorOf(upTo(u"⌋"_s));
+        if (takes(u"⌈"_s))
+            return -floorOf(-upTo(u"⌉"_s));
+        if (takes(u"|"_s)) {
+            const Number value = upTo(u"|"_s);
             return value < 0 ? Number(-value) : value;
         }
-        if (takes(QStringLiteral("½")))
+        if (takes(u"½"_s))
             return Number(1, 2);
-        if (takes(QStringLiteral("¼")))
+        if (takes(u"¼"_s))
             return Number(1, 4);
         const qsizetype first = m_place;
         while (m_place < m_text.size() && m_text[m_place] >= u'0' && m_text[m_place] <= u'9')
@@ -177,7 +177,7 @@ private:
     {
         const Number value = sum();
         if (!takes(end))
-            throw ListingFault(QStringLiteral("not closed: ") + m_text);
+            throw ListingFault(u"not closed: "_s + m_text);
         return value;
     }
     /// The longest name that starts here and ends at a word boundary.
@@ -194,8 +194,7 @@ private:
                 longest = &*entry;
         }
         if (!longest)
-            throw ListingFault(
-                QStringLiteral("no value of “%1” in: %2").arg(m_text.sliced(m_place), m_text));
+            throw ListingFault(u"no value of “%1” in: %2"_s.arg(m_text.sliced(m_place), m_text));
         m_place += longest->first.size();
         return longest->second;
     }

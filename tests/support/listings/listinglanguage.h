@@ -12,8 +12,10 @@
 /// The words and expressions of listings that the tests run.
 namespace pixelplumb {
 
+using namespace Qt::StringLiterals;
+
 /// Between a name and its new value.
-inline const QString assigns = QStringLiteral(" ← ");
+inline const QString assigns = u" ← "_s;
 
 /// A line of pseudocode that cannot be read, or that uses a name without a value.
 struct ListingFault : std::runtime_error {

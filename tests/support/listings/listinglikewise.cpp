@@ -11,7 +11,7 @@ namespace pixelplumb {
 
 namespace {
 
-const QString likewise = QStringLiteral(" likewise");
+const QString likewise = u" likewise"_s;
 
 /// Replaces one of three names by the next one: "bc" → "ca".
 struct Cycle {
@@ -54,14 +54,13 @@ QString turned(const QString &text, const std::vector<Cycle> &cycles)
 /// The text with the next edge, its vertices and the weight of the opposite vertex.
 QString nextEdge(const QString &text)
 {
-    const QString none, bar = QStringLiteral("_"), open = QStringLiteral("("),
-                        close = QStringLiteral(")");
+    const QString none, bar = u"_"_s, open = u"("_s, close = u")"_s;
     return turned(text,
-                  {{{QStringLiteral("bc"), QStringLiteral("ca"), QStringLiteral("ab")}, bar, none},
-                   {{QStringLiteral("a"), QStringLiteral("b"), QStringLiteral("c")}, bar, none},
-                   {{QStringLiteral("a"), QStringLiteral("b"), QStringLiteral("c")}, open, close},
-                   {{QStringLiteral("₀"), QStringLiteral("₁"), QStringLiteral("₂")}, none, none},
-                   {{QStringLiteral("α"), QStringLiteral("β"), QStringLiteral("γ")}, none, none}});
+                  {{{u"bc"_s, u"ca"_s, u"ab"_s}, bar, none},
+                   {{u"a"_s, u"b"_s, u"c"_s}, bar, none},
+                   {{u"a"_s, u"b"_s, u"c"_s}, open, close},
+                   {{u"₀"_s, u"₁"_s, u"₂"_s}, none, none},
+                   {{u"α"_s, u"β"_s, u"γ"_s}, none, none}});
 }
 
 /// Whether a name starts here, whatever change (Δ or δ) it may be of.
@@ -75,7 +74,7 @@ bool startsName(const QString &text, qsizetype place)
 /// the first one that the text names. Conditions stay.
 QString coordinateAsChannel(const QString &text)
 {
-    static const QRegularExpression firstCoordinate(QStringLiteral("[xy]"));
+    static const QRegularExpression firstCoordinate(u"[xy]"_s);
     const qsizetype first = text.indexOf(firstCoordinate);
     if (first < 0)
         return text;
@@ -84,12 +83,11 @@ QString coordinateAsChannel(const QString &text)
     bool isCondition = false;
     for (qsizetype place = 0; place < text.size(); ++place) {
         const QStringView rest = QStringView(text).sliced(place);
-        isCondition = rest.startsWith(QStringLiteral(" if "))
-            || (isCondition && !rest.startsWith(QStringLiteral(", else ")));
+        isCondition = rest.startsWith(u" if "_s) || (isCondition && !rest.startsWith(u", else "_s));
         const bool isTurned
             = !isCondition && startsName(text, place) && rest.size() > 1 && belongsToName(rest[1]);
         if (isTurned && rest[0] == u'm')
-            result += QStringLiteral("δR");
+            result += u"δR"_s;
         else
             result += isTurned && rest[0] == coordinate ? QChar(u'R') : rest[0];
     }
@@ -99,9 +97,9 @@ QString coordinateAsChannel(const QString &text)
 /// The text with the next channel: R, R_a, R₀, ΔR_x; R after a coordinate.
 QString nextChannel(const QString &text)
 {
-    if (QStringLiteral("xym").contains(text.front()))
+    if (u"xym"_s.contains(text.front()))
         return coordinateAsChannel(text);
-    const QString letters = QStringLiteral("RGB");
+    const QString letters = u"RGB"_s;
     QString result = text;
     for (qsizetype place = 0; place < text.size(); ++place) {
         const qsizetype channel = letters.indexOf(text[place]);
@@ -125,24 +123,23 @@ bool hasName(const QString &text, const QString &letters)
 QStringList spelledOut(const QString &text)
 {
     QStringList parts;
-    for (const QString &part : text.split(QStringLiteral("; "))) {
+    for (const QString &part : text.split(u"; "_s)) {
         if (!part.endsWith(likewise)) {
             parts.append(part);
             continue;
         }
         if (parts.isEmpty())
-            throw ListingFault(QStringLiteral("like what: ") + text);
+            throw ListingFault(u"like what: "_s + text);
         const QString pattern = parts.constLast();
-        const QStringList names = part.chopped(likewise.size())
-                                      .replace(QStringLiteral(" and "), QStringLiteral(", "))
-                                      .split(QStringLiteral(", "));
+        const QStringList names
+            = part.chopped(likewise.size()).replace(u" and "_s, u", "_s).split(u", "_s);
         QString edge = pattern, channel = pattern;
         for (const QString &name : names) {
             edge = nextEdge(edge);
             channel = nextChannel(channel);
             const bool isEdge = edge != pattern && hasName(edge, name);
             if (!isEdge && (channel == pattern || !hasName(channel, name)))
-                throw ListingFault(QStringLiteral("no “%1” in: %2").arg(name, text));
+                throw ListingFault(u"no “%1” in: %2"_s.arg(name, text));
             parts.append(isEdge ? edge : channel);
         }
     }

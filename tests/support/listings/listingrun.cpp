@@ -10,13 +10,12 @@ namespace pixelplumb {
 
 namespace {
 
-QString withoutRemark(const QString &line) { return line.section(QStringLiteral(" — "), 0, 0); }
+QString withoutRemark(const QString &line) { return line.section(u" — "_s, 0, 0); }
 
 ListingState::Asked askedBy(const QString &line)
 {
-    return line.section(QStringLiteral(" — "), 1).contains(QStringLiteral("exact"))
-        ? ListingState::Asked::Exact
-        : ListingState::Asked::AsComputed;
+    return line.section(u" — "_s, 1).contains(u"exact"_s) ? ListingState::Asked::Exact
+                                                          : ListingState::Asked::AsComputed;
 }
 
 } // namespace
@@ -37,8 +36,8 @@ void ListingRun::run()
             && std::ranges::find(line.moments, Moment::Rejected) == line.moments.end();
     };
     const auto first = std::ranges::find_if(m_code, isOfLoops);
-    m_state.set(QStringLiteral("x_min"), m_box.firstX);
-    m_state.set(QStringLiteral("y_min"), m_box.firstY);
+    m_state.set(u"x_min"_s, m_box.firstX);
+    m_state.set(u"y_min"_s, m_box.firstY);
     runSetUp(std::size_t(first - m_code.begin()));
     runBlock(std::size_t(first - m_code.begin()), m_code.size());
 }
@@ -48,16 +47,14 @@ void ListingRun::runSetUp(std::size_t end)
     for (std::size_t line = 0; line < end; line = endOfBlock(line)) {
         const QString text = withoutRemark(m_code[line].text);
         if (m_setUp == SetUp::Run) {
-            if (!text.startsWith(QStringLiteral("if no sample"))
-                && !text.endsWith(QStringLiteral(" of the shape")))
+            if (!text.startsWith(u"if no sample"_s) && !text.endsWith(u" of the shape"_s))
                 runLine(line);
             continue;
         }
-        if (text.startsWith(QStringLiteral("sort the vertices ")) || text.startsWith(u'Δ'))
+        if (text.startsWith(u"sort the vertices "_s) || text.startsWith(u'Δ'))
             m_state.run(text);
         const QString name = text.section(assigns, 0, 0);
-        if (text.contains(QStringLiteral(", else ")) && !name.contains(u' ')
-            && !m_state.knows(name))
+        if (text.contains(u", else "_s) && !name.contains(u' ') && !m_state.knows(name))
             m_state.run(text);
     }
 }
@@ -96,13 +93,13 @@ void ListingRun::runRound(std::size_t line)
 /// False if the line is no loop.
 bool ListingRun::runLoop(std::size_t line, const QString &text)
 {
-    const QString during = QStringLiteral("while ");
+    const QString during = u"while "_s;
     if (text.startsWith(during)) {
         while (m_state.holds(text.sliced(during.size()).section(u':', 0, 0)))
             m_state.run(text.section(u':', 1).trimmed());
         return true;
     }
-    return text.startsWith(QStringLiteral("for each "))
+    return text.startsWith(u"for each "_s)
         && (runBox(line, text) || runColumns(line, text) || runEdges(line, text)
             || runArcs(line, text) || runTriangles(line, text) || runMetItems(text)
             || runItems(line, text) || runRange(line, text));
@@ -110,11 +107,11 @@ bool ListingRun::runLoop(std::size_t line, const QString &text)
 
 bool ListingRun::runBox(std::size_t line, const QString &text)
 {
-    static const QRegularExpression ofBox(QStringLiteral("^for each (x|y) of the box:$"));
+    static const QRegularExpression ofBox(u"^for each (x|y) of the box:$"_s);
     const auto match = ofBox.match(text);
     if (!match.hasMatch())
         return false;
-    const bool isX = match.captured(1) == QStringLiteral("x");
+    const bool isX = match.captured(1) == u"x"_s;
     const std::int64_t end = isX ? m_box.endX : m_box.endY;
     for (std::int64_t at = isX ? m_box.firstX : m_box.firstY; at < end; ++at) {
         m_state.set(match.captured(1), Number(at));
@@ -126,8 +123,8 @@ bool ListingRun::runBox(std::size_t line, const QString &text)
 bool ListingRun::runRange(std::size_t line, const QString &text)
 {
     static const QRegularExpression ofRange(
-        QStringLiteral("^for each (?:\\w+ )?(\\S+)(?: = i/(\\S+))?( of the frame)? from (.+?)( "
-                       "down)? to (.+):$"),
+        u"^for each (?:\\w+ )?(\\S+)(?: = i/(\\S+))?( of the frame)? from (.+?)( "
+        "down)? to (.+):$"_s,
         QRegularExpression::UseUnicodePropertiesOption);
     const auto match = ofRange.match(text);
     if (!match.hasMatch())
@@ -138,7 +135,7 @@ bool ListingRun::runRange(std::size_t line, const QString &text)
     const Number step = isDown ? Number(-size) : size;
     Number first = m_state.valueOf(match.captured(4)), last = m_state.valueOf(match.captured(6));
     if (!match.captured(3).isEmpty()) {
-        m_state.set(match.captured(1) + QStringLiteral("_first"), first);
+        m_state.set(match.captured(1) + u"_first"_s, first);
         const auto [least, greatest] = m_state.frameAlong(match.captured(1));
         first = isDown ? std::min(first, Number(greatest)) : std::max(first, Number(least));
         last = isDown ? std::max(last, Number(least)) : std::min(last, Number(greatest));
@@ -147,7 +144,7 @@ bool ListingRun::runRange(std::size_t line, const QString &text)
     for (Number at = first; isDown ? at >= last : at <= last; at += step) {
         m_state.set(match.captured(1), at);
         if (!match.captured(2).isEmpty())
-            m_state.set(QStringLiteral("i"), Number(at / size));
+            m_state.set(u"i"_s, Number(at / size));
         runRound(line);
         m_isFirst = false;
     }
@@ -158,10 +155,10 @@ bool ListingRun::runRange(std::size_t line, const QString &text)
 /// The columns for which there is a smallest y.
 bool ListingRun::runColumns(std::size_t line, const QString &text)
 {
-    if (text != QStringLiteral("for each column x of the outline:"))
+    if (text != u"for each column x of the outline:"_s)
         return false;
-    for (const Number &column : m_state.indicesOf(QStringLiteral("y_low"))) {
-        m_state.set(QStringLiteral("x"), column);
+    for (const Number &column : m_state.indicesOf(u"y_low"_s)) {
+        m_state.set(u"x"_s, column);
         runRound(line);
     }
     return true;
@@ -169,19 +166,18 @@ bool ListingRun::runColumns(std::size_t line, const QString &text)
 
 bool ListingRun::runEdges(std::size_t line, const QString &text)
 {
-    static const QRegularExpression ofEdges(
-        QStringLiteral("^for each edge L_ij of ([^:]+):(?: (.+))?$"));
-    static const QRegularExpression ofValues(QStringLiteral("^for each value v of ([^:]+): (.+)$")),
-        value(QStringLiteral("(?<![A-Za-z])v(?![A-Za-z])"));
+    static const QRegularExpression ofEdges(u"^for each edge L_ij of ([^:]+):(?: (.+))?$"_s);
+    static const QRegularExpression ofValues(u"^for each value v of ([^:]+): (.+)$"_s),
+        value(u"(?<![A-Za-z])v(?![A-Za-z])"_s);
     if (const auto match = ofValues.match(text); match.hasMatch()) {
-        for (const QString &letter : match.captured(1).split(QStringLiteral(", ")))
+        for (const QString &letter : match.captured(1).split(u", "_s))
             m_state.run(match.captured(2).replace(value, letter));
         return true;
     }
     const auto match = ofEdges.match(text);
     if (!match.hasMatch())
         return false;
-    for (const QString &edge : match.captured(1).split(QStringLiteral(", "))) {
+    for (const QString &edge : match.captured(1).split(u", "_s)) {
         m_state.setEdge(edge.sliced(1));
         if (match.captured(2).isEmpty())
             runRound(line);
@@ -195,7 +191,7 @@ bool ListingRun::runEdges(std::size_t line, const QString &text)
 bool ListingRun::runArcs(std::size_t line, const QString &text)
 {
     static const QRegularExpression ofArcs(
-        QStringLiteral("^for each arc \\((.+)\\) of \\((.+)\\) and, if (.+), \\((.+)\\):$"));
+        u"^for each arc \\((.+)\\) of \\((.+)\\) and, if (.+), \\((.+)\\):$"_s);
     const auto match = ofArcs.match(text);
     if (!match.hasMatch())
         return false;
@@ -213,8 +209,8 @@ bool ListingRun::runArcs(std::size_t line, const QString &text)
 bool ListingRun::runItems(std::size_t line, const QString &text)
 {
     static const QRegularExpression ofItems(
-        QStringLiteral("^for each (?:point|edge(?: k)? from) \\((\\S+), (\\S+)\\)"
-                       "(?: to \\((\\S+), (\\S+)\\))?(?: with (.+))?:$"));
+        u"^for each (?:point|edge(?: k)? from) \\((\\S+), (\\S+)\\)"
+        "(?: to \\((\\S+), (\\S+)\\))?(?: with (.+))?:$"_s);
     const auto match = ofItems.match(text);
     if (!match.hasMatch())
         return false;
@@ -234,16 +230,16 @@ bool ListingRun::runItems(std::size_t line, const QString &text)
     if (!m_met.empty())
         places.clear();
     for (const std::size_t item : m_met)
-        places.push_back(m_state.valueOf(QStringLiteral("x_%1").arg(item)));
-    m_state.set(QStringLiteral("min x_k"), std::ranges::min(places));
-    m_state.set(QStringLiteral("max x_k"), std::ranges::max(places));
+        places.push_back(m_state.valueOf(u"x_%1"_s.arg(item)));
+    m_state.set(u"min x_k"_s, std::ranges::min(places));
+    m_state.set(u"max x_k"_s, std::ranges::max(places));
     return true;
 }
 
 /// The edges come in threes, a triangle's.
 bool ListingRun::runTriangles(std::size_t line, const QString &text)
 {
-    if (text != QStringLiteral("for each triangle, with its three edges:"))
+    if (text != u"for each triangle, with its three edges:"_s)
         return false;
     for (std::size_t item = 0; item < m_items.size(); item += 3) {
         m_first = item;
@@ -255,8 +251,7 @@ bool ListingRun::runTriangles(std::size_t line, const QString &text)
 
 bool ListingRun::runMetItems(const QString &text)
 {
-    static const QRegularExpression ofThem(
-        QStringLiteral("^for each edge k of them with ([^:]+): (.+)$"));
+    static const QRegularExpression ofThem(u"^for each edge k of them with ([^:]+): (.+)$"_s);
     const auto match = ofThem.match(text);
     if (!match.hasMatch())
         return false;
@@ -280,15 +275,14 @@ void ListingRun::enterItem(std::size_t item, const QStringList &names)
 /// False if the line is no case.
 bool ListingRun::runCase(std::size_t line, const QString &text)
 {
-    const QString first = QStringLiteral("the first:"),
-                  begins = QStringLiteral("where it begins: "), otherwise = QStringLiteral("else:"),
-                  ifElse = QStringLiteral("else if "), onlyIf = QStringLiteral("if ");
+    const QString first = u"the first:"_s, begins = u"where it begins: "_s, otherwise = u"else:"_s,
+                  ifElse = u"else if "_s, onlyIf = u"if "_s;
     bool isTaken = false;
     if (text.startsWith(first))
         isTaken = m_isFirst;
     else if (text.startsWith(begins))
         isTaken = !m_state.knows(
-            text.sliced(begins.size()).section(assigns, 0, 0).section(QStringLiteral(", "), 0, 0));
+            text.sliced(begins.size()).section(assigns, 0, 0).section(u", "_s, 0, 0));
     else if (text.startsWith(otherwise))
         isTaken = !m_hasCase;
     else if (text.startsWith(ifElse))

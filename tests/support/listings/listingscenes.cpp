@@ -136,21 +136,19 @@ QString departureOf(ListingRun &run, const TracedScene &traced)
         for (const auto &[place, colour] : ones) {
             const auto other = others.find(place);
             if (other == others.end() || other->second != colour)
-                different.append(QStringLiteral("%1 (%2, %3) %4")
-                                     .arg(word)
+                different.append(u"%1 (%2, %3) %4"_s.arg(word)
                                      .arg(place.first)
                                      .arg(place.second)
                                      .arg(colour & 0xFFFFFF, 6, 16, QChar(u'0')));
         }
     };
-    compare(run.pixels(), expected, QStringLiteral("listing"));
-    compare(expected, run.pixels(), QStringLiteral("kernel"));
+    compare(run.pixels(), expected, u"listing"_s);
+    compare(expected, run.pixels(), u"kernel"_s);
     QStringList vertices;
     for (const Triangle &triangle : traced.scene.triangles)
         for (const Vertex &vertex : triangle.vertices)
-            vertices.append(
-                QStringLiteral("(%1, %2)/256").arg(vertex.position.x).arg(vertex.position.y));
-    return vertices.join(u' ') + QStringLiteral(": ") + different.join(QStringLiteral(", "));
+            vertices.append(u"(%1, %2)/256"_s.arg(vertex.position.x).arg(vertex.position.y));
+    return vertices.join(u' ') + u": "_s + different.join(u", "_s);
 }
 
 } // namespace pixelplumb

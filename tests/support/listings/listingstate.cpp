@@ -11,7 +11,7 @@ namespace pixelplumb {
 
 void ListingState::run(const QString &text)
 {
-    if (text.startsWith(QStringLiteral("sort the vertices "))) {
+    if (text.startsWith(u"sort the vertices "_s)) {
         sortVertices(text, m_names);
         if (m_keepsExact)
             sortVertices(text, m_exact);
@@ -26,26 +26,26 @@ void ListingState::run(const QString &text)
 
 void ListingState::runStatement(const QString &text)
 {
-    if (text.startsWith(QStringLiteral("pixel (")) || text.startsWith(QStringLiteral("frame[")))
+    if (text.startsWith(u"pixel ("_s) || text.startsWith(u"frame["_s))
         draw(text);
-    else if (text.startsWith(QStringLiteral("L_ij ← L")))
+    else if (text.startsWith(u"L_ij ← L"_s))
         m_edge = chosen(text.section(assigns, 1)).sliced(1);
-    else if (text.startsWith(QStringLiteral("add ")))
+    else if (text.startsWith(u"add "_s))
         add(text);
-    else if (text == QStringLiteral("exchange x and y, here and where a pixel is written"))
+    else if (text == u"exchange x and y, here and where a pixel is written"_s)
         exchangeAxes();
-    else if (text == QStringLiteral("exchange i and j"))
+    else if (text == u"exchange i and j"_s)
         std::swap(m_edge[0], m_edge[1]);
     else if (text.contains(assigns))
         assign(text);
     else
-        throw ListingFault(QStringLiteral("does nothing: ") + text);
+        throw ListingFault(u"does nothing: "_s + text);
 }
 
 /// Of "1 if y₁ ≥ y₀, else −1", which is never part of an expression, the side that holds.
 QString ListingState::chosen(const QString &expression) const
 {
-    const QString condition = QStringLiteral(" if "), otherwise = QStringLiteral(", else ");
+    const QString condition = u" if "_s, otherwise = u", else "_s;
     if (!expression.contains(condition))
         return expression;
     const QString rest = expression.section(condition, 1);
@@ -56,12 +56,11 @@ QString ListingState::chosen(const QString &expression) const
 /// All values are read before the first is written.
 void ListingState::assign(const QString &statement)
 {
-    const QStringList names = statement.section(assigns, 0, 0).split(QStringLiteral(", "));
+    const QStringList names = statement.section(assigns, 0, 0).split(u", "_s);
     const QString right = chosen(statement.section(assigns, 1));
-    const QStringList expressions
-        = names.size() == 1 ? QStringList(right) : right.split(QStringLiteral(", "));
+    const QStringList expressions = names.size() == 1 ? QStringList(right) : right.split(u", "_s);
     if (names.size() != expressions.size())
-        throw ListingFault(QStringLiteral("unequal sides: ") + statement);
+        throw ListingFault(u"unequal sides: "_s + statement);
     std::vector<Result> results;
     for (const QString &expression : expressions)
         results.push_back(resultOf(chosen(expression)));
@@ -71,13 +70,13 @@ void ListingState::assign(const QString &statement)
 
 void ListingState::add(const QString &statement)
 {
-    const QString to = QStringLiteral(" to ");
-    const QStringList changes = statement.sliced(4).section(to, 0, 0).split(QStringLiteral(", "));
-    const QStringList names = statement.section(to, 1).split(QStringLiteral(", "));
+    const QString to = u" to "_s;
+    const QStringList changes = statement.sliced(4).section(to, 0, 0).split(u", "_s);
+    const QStringList names = statement.section(to, 1).split(u", "_s);
     if (names.size() != changes.size())
-        throw ListingFault(QStringLiteral("unequal sides: ") + statement);
+        throw ListingFault(u"unequal sides: "_s + statement);
     for (qsizetype i = 0; i < names.size(); ++i) {
-        const QString sum = names[i] + QStringLiteral(" + ") + changes[i];
+        const QString sum = names[i] + u" + "_s + changes[i];
         set(names[i], resultOf(sum));
     }
 }
@@ -108,31 +107,31 @@ void ListingState::exchangeAxes()
     for (ListingNames *names : {&m_names, &m_exact}) {
         if (names == &m_exact && !m_keepsExact)
             continue;
-        std::swap(names->at(QStringLiteral("x₀")), names->at(QStringLiteral("y₀")));
-        std::swap(names->at(QStringLiteral("x₁")), names->at(QStringLiteral("y₁")));
+        std::swap(names->at(u"x₀"_s), names->at(u"y₀"_s));
+        std::swap(names->at(u"x₁"_s), names->at(u"y₁"_s));
     }
     m_exchange = Exchange::Axes;
 }
 
 void ListingState::draw(const QString &statement)
 {
-    static const QRegularExpression pixel(QStringLiteral(
-        "^(?:pixel \\((.+)\\)|frame\\[(.+)\\]) ← (?:the bytes of (.+), (.+), (.+)|colour)$"));
+    static const QRegularExpression pixel(
+        u"^(?:pixel \\((.+)\\)|frame\\[(.+)\\]) ← (?:the bytes of (.+), (.+), (.+)|colour)$"_s);
     const auto match = pixel.match(statement);
     if (!match.hasMatch())
-        throw ListingFault(QStringLiteral("draws nothing: ") + statement);
+        throw ListingFault(u"draws nothing: "_s + statement);
     const auto byte = [&](int part, const char *channel) {
         const QString named = match.captured(part);
         const Number level
-            = valueOf(named.isEmpty() ? QStringLiteral("colour ") + QLatin1String(channel) : named);
-        const ListingNames levels = {{QStringLiteral("R"), level}};
-        const Number nearest = pixelplumb::valueOf(QStringLiteral("⌊R + ½⌋"), levels, m_arithmetic);
+            = valueOf(named.isEmpty() ? u"colour "_s + QLatin1String(channel) : named);
+        const ListingNames levels = {{u"R"_s, level}};
+        const Number nearest = pixelplumb::valueOf(u"⌊R + ½⌋"_s, levels, m_arithmetic);
         return std::clamp(nearest, Number(0), Number(255)).convert_to<int>();
     };
     const QRgb colour = qRgb(byte(3, "R"), byte(4, "G"), byte(5, "B"));
     const QString address = match.captured(2);
     write(address.isEmpty() ? match.captured(1)
-                            : QStringLiteral("x₀ + %1 mod width, y₀ + ⌊%1/width⌋").arg(address),
+                            : u"x₀ + %1 mod width, y₀ + ⌊%1/width⌋"_s.arg(address),
           colour);
 }
 
@@ -146,9 +145,9 @@ void ListingState::write(const QString &place, QRgb colour)
         return;
     }
     const auto coordinate = [&](int part) {
-        const Number value = valueOf(place.section(QStringLiteral(", "), part, part));
+        const Number value = valueOf(place.section(u", "_s, part, part));
         if (denominator(value) != 1)
-            throw ListingFault(QStringLiteral("is no pixel: ") + place);
+            throw ListingFault(u"is no pixel: "_s + place);
         return numerator(value).convert_to<std::int64_t>();
     };
     std::int64_t x = coordinate(0), y = coordinate(1);
@@ -174,16 +173,16 @@ ListingState::Number ListingState::valueOf(const QString &expression) const
 
 std::pair<std::int64_t, std::int64_t> ListingState::frameAlong(const QString &coordinate) const
 {
-    const bool isY = (coordinate == QStringLiteral("y")) != (m_exchange == Exchange::Axes);
+    const bool isY = (coordinate == u"y"_s) != (m_exchange == Exchange::Axes);
     return isY ? std::pair(m_box.firstY, m_box.endY - 1) : std::pair(m_box.firstX, m_box.endX - 1);
 }
 
 /// Vertices of equal x are ordered by y, those of equal y by x. The names that they get may be new.
 void ListingState::sortVertices(const QString &statement, ListingNames &names)
 {
-    const bool isByY = statement.startsWith(QStringLiteral("sort the vertices by y"));
+    const bool isByY = statement.startsWith(u"sort the vertices by y"_s);
     std::array<std::array<Number, 5>, 3> vertices; // in the order x, y, R, G, B
-    const QString letters = QStringLiteral("xyRGB");
+    const QString letters = u"xyRGB"_s;
     for (std::size_t vertex = 0; vertex < 3; ++vertex)
         for (std::size_t letter = 0; letter < 5; ++letter)
             vertices[vertex][letter]
@@ -193,10 +192,8 @@ void ListingState::sortVertices(const QString &statement, ListingNames &names)
                      : std::tuple(a[0], a[1]) < std::tuple(b[0], b[1]);
     };
     std::ranges::stable_sort(vertices, before);
-    const std::size_t sorted = statement.contains(QStringLiteral("in the order given")) ? 2 : 5;
-    const QStringList points = statement.section(QStringLiteral(": "), 1)
-                                   .section(u';', 0, 0)
-                                   .split(QStringLiteral(", "));
+    const std::size_t sorted = statement.contains(u"in the order given"_s) ? 2 : 5;
+    const QStringList points = statement.section(u": "_s, 1).section(u';', 0, 0).split(u", "_s);
     for (std::size_t vertex = 0; vertex < 3; ++vertex)
         for (std::size_t letter = 0; letter < sorted; ++letter)
             names[letters[qsizetype(letter)] + points[qsizetype(vertex)].sliced(1)]
@@ -216,11 +213,11 @@ std::vector<ListingState::Number> ListingState::indicesOf(const QString &name) c
 
 QString ListingState::meant(QString text) const
 {
-    static const QRegularExpression both(QStringLiteral("_ij\\b")), first(QStringLiteral("_i\\b")),
-        second(QStringLiteral("_j\\b")), index(QStringLiteral("_k\\b"));
-    if (!text.contains(u'_') || text.startsWith(QStringLiteral("L_ij")))
+    static const QRegularExpression both(u"_ij\\b"_s), first(u"_i\\b"_s), second(u"_j\\b"_s),
+        index(u"_k\\b"_s);
+    if (!text.contains(u'_') || text.startsWith(u"L_ij"_s))
         return text;
-    static const QRegularExpression indexed(QStringLiteral("(?<=[a-z])\\[([a-z])\\]"));
+    static const QRegularExpression indexed(u"(?<=[a-z])\\[([a-z])\\]"_s);
     for (auto match = indexed.match(text); match.hasMatch(); match = indexed.match(text))
         text.replace(match.capturedStart(1), 1,
                      QString::fromStdString(valueOf(match.captured(1)).str()));

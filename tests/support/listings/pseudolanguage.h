@@ -9,6 +9,8 @@
 
 namespace pixelplumb {
 
+using namespace Qt::StringLiterals;
+
 /// A made-up language: every text of the window in brackets, and longer by a third. A text without
 /// brackets has not come through tr().
 class PseudoLanguage : public QTranslator {
@@ -20,7 +22,7 @@ public:
             return {}; // Qt's own, such as the names of keys
         const QString text = QString::fromUtf8(sourceText);
         const QMutexLocker locker(&m_mutex); // background jobs translate too
-        m_asked += QString::fromUtf8(context) + QStringLiteral(": ") + text;
+        m_asked += QString::fromUtf8(context) + u": "_s + text;
         return u'[' + text + QString(std::max<qsizetype>(1, text.size() / 3), u'~') + u']';
     }
 

@@ -12,13 +12,13 @@ inline QString groupOf(const Defect &defect)
         return defect.choice;
     switch (defect.stage()) {
     case DefectStage::Scene:
-        return QStringLiteral("done to the scene");
+        return u"done to the scene"_s;
     case DefectStage::Drawing:
-        return QStringLiteral("done by the drawing");
+        return u"done by the drawing"_s;
     case DefectStage::Picture:
         break;
     }
-    return QStringLiteral("done to the picture");
+    return u"done to the picture"_s;
 }
 
 } // namespace pixelplumb

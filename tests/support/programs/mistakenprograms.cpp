@@ -18,7 +18,7 @@ namespace {
 /// The program with the mistakes; empty if one is unknown or its line is not in the program once.
 QByteArray programWith(const QString &name, const QStringList &mistakes)
 {
-    QString program = textInTree(QStringLiteral("tests/data/student/%1.py").arg(name));
+    QString program = textInTree(u"tests/data/student/%1.py"_s.arg(name));
     const std::vector<ProgramMistake> known = mistakesOf(name);
     for (const QString &id : mistakes) {
         const auto mistake = std::ranges::find_if(
@@ -45,8 +45,8 @@ bool write(const QString &path, const QByteArray &content)
 std::vector<ProgramMistake> mistakesOf(const QString &program)
 {
     std::vector<ProgramMistake> mistakes;
-    const QString text = textInTree(QStringLiteral("tests/data/student/%1.txt").arg(program));
-    for (QString line : text.mid(text.indexOf(QStringLiteral("\n\n"))).split(u'\n')) {
+    const QString text = textInTree(u"tests/data/student/%1.txt"_s.arg(program));
+    for (QString line : text.mid(text.indexOf(u"\n\n"_s)).split(u'\n')) {
         if (line.trimmed().isEmpty())
             continue;
         if (!line.startsWith(u' ')) {
@@ -55,8 +55,7 @@ std::vector<ProgramMistake> mistakesOf(const QString &program)
             mistakes.push_back({kind, ids, {}});
             continue;
         }
-        const QStringList sides = line.replace(QStringLiteral("\\n"), QStringLiteral("\n"))
-                                      .split(QStringLiteral(" => "));
+        const QStringList sides = line.replace(u"\\n"_s, u"\n"_s).split(u" => "_s);
         mistakes.back().replacements.emplace_back(sides.front().mid(4), sides.back());
     }
     return mistakes;
@@ -67,19 +66,19 @@ std::vector<Picture> drawnByStudent(const QString &program, const QStringList &a
 {
     const QByteArray text = programWith(program, mistakes);
     const QTemporaryDir folder;
-    const QString path = folder.filePath(QStringLiteral("program.py"));
+    const QString path = folder.filePath(u"program.py"_s);
     bool isThere = !text.isEmpty() && write(path, text);
     QStringList files;
     for (const Scene &scene : scenes) {
-        files += folder.filePath(QStringLiteral("%1.json").arg(files.size()));
+        files += folder.filePath(u"%1.json"_s.arg(files.size()));
         isThere = isThere && write(files.back(), writeScene(scene, folder.path()));
     }
     QProcess process;
-    process.start(QStringLiteral("python3"), QStringList{path} + arguments + files);
+    process.start(u"python3"_s, QStringList{path} + arguments + files);
     isThere = process.waitForFinished(60000) && process.exitCode() == 0 && isThere;
     std::vector<Picture> pictures;
     for (std::size_t i = 0; i < scenes.size() && isThere; ++i) {
-        QFile file(files[qsizetype(i)] + QStringLiteral(".ppm"));
+        QFile file(files[qsizetype(i)] + u".ppm"_s);
         const auto picture = file.open(QIODevice::ReadOnly)
             ? parsePicture(file.readAll(), file.fileName())
             : Result<Picture>(InputError{});
@@ -100,27 +99,23 @@ std::vector<Picture> drawnByStudent(const QString &program, const QStringList &a
 std::vector<MistakenProgram> mistakenPrograms()
 {
     std::vector<MistakenProgram> programs;
-    for (const ProgramMistake &mistake : mistakesOf(QStringLiteral("trianglewalk"))) {
+    for (const ProgramMistake &mistake : mistakesOf(u"trianglewalk"_s)) {
         const QString kind = mistake.kind;
         const QString id = mistake.ids.front();
         const auto add = [&](WalkLines lines, const QString &found) {
             const bool isColumns = lines == WalkLines::Columns;
-            const QString method
-                = isColumns ? QStringLiteral("column-scan") : QStringLiteral("row-walk");
-            programs.push_back({method,
-                                found,
-                                lines,
-                                {id},
-                                QStringLiteral("%1, %2 %3").arg(method, kind).arg(int(lines))});
+            const QString method = isColumns ? u"column-scan"_s : u"row-walk"_s;
+            programs.push_back(
+                {method, found, lines, {id}, u"%1, %2 %3"_s.arg(method, kind).arg(int(lines))});
         };
-        if (kind == QStringLiteral("choice"))
+        if (kind == u"choice"_s)
             continue;
         add(WalkLines::Columns, id);
-        if (kind != QStringLiteral("columns"))
+        if (kind != u"columns"_s)
             add(WalkLines::Rows, mistake.ids.back());
-        if (kind == QStringLiteral("edges") || kind == QStringLiteral("ordered"))
-            add(WalkLines::RowsFromBelow, id + QStringLiteral("-from-below"));
-        else if (kind == QStringLiteral("ends"))
+        if (kind == u"edges"_s || kind == u"ordered"_s)
+            add(WalkLines::RowsFromBelow, id + u"-from-below"_s);
+        else if (kind == u"ends"_s)
             add(WalkLines::RowsFromBelow, id);
     }
     return programs;
@@ -129,13 +124,11 @@ std::vector<MistakenProgram> mistakenPrograms()
 std::vector<Picture> studentPictures(std::span<const Scene> scenes, WalkLines lines,
                                      const QStringList &mistakes, WalkNumbers numbers)
 {
-    const QStringList names
-        = {QStringLiteral("columns"), QStringLiteral("rows"), QStringLiteral("rows-from-below")};
+    const QStringList names = {u"columns"_s, u"rows"_s, u"rows-from-below"_s};
     return drawnByStudent(
-        QStringLiteral("trianglewalk"),
-        {numbers == WalkNumbers::Double ? QStringLiteral("double") : QStringLiteral("fraction"),
-         names[int(lines)]},
-        mistakes, scenes);
+        u"trianglewalk"_s,
+        {numbers == WalkNumbers::Double ? u"double"_s : u"fraction"_s, names[int(lines)]}, mistakes,
+        scenes);
 }
 
 } // namespace pixelplumb

@@ -8,12 +8,14 @@
 
 namespace pixelplumb {
 
+using namespace Qt::StringLiterals;
+
 int processesWith(const QByteArray &word)
 {
     int count = 0;
-    const QDir processes(QStringLiteral("/proc"));
+    const QDir processes(u"/proc"_s);
     for (const QString &process : processes.entryList(QDir::Dirs)) {
-        QFile file(QStringLiteral("/proc/%1/cmdline").arg(process));
+        QFile file(u"/proc/%1/cmdline"_s.arg(process));
         if (file.open(QIODevice::ReadOnly) && file.readAll().split('\0').contains(word))
             ++count;
     }

@@ -19,7 +19,7 @@ constexpr auto longestRun = std::chrono::minutes(15);
 
 QString program() { return QStringLiteral(PIXELPLUMB_CLI); }
 
-QString sceneFile(const QString &name) { return resource(QStringLiteral("/scenes/")) + name; }
+QString sceneFile(const QString &name) { return resource(u"/scenes/"_s) + name; }
 
 ProgramRun run(const QStringList &arguments, const QByteArray &input)
 {

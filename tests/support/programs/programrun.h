@@ -7,6 +7,8 @@
 /// Shared helpers of the command-line tests: the headless program, run as a user would.
 namespace pixelplumb {
 
+using namespace Qt::StringLiterals;
+
 /// The exit code and output of a run of the program.
 struct ProgramRun {
     int exitCode = -1;
@@ -21,7 +23,7 @@ QString sceneFile(const QString &name);
 ProgramRun run(const QStringList &arguments, const QByteArray &input = {});
 
 /// The default scene's file.
-inline QString defaultScene() { return sceneFile(QStringLiteral("default.json")); }
+inline QString defaultScene() { return sceneFile(u"default.json"_s); }
 /// A scene whose triangle covers a whole frame of this size.
 QByteArray sceneOfSize(int width, int height);
 

@@ -13,8 +13,7 @@ namespace pixelplumb {
 
 Assignment exampleAssignment()
 {
-    const auto assignment
-        = readAssignmentFile(resource(QStringLiteral("/assignments/column-scan.json")));
+    const auto assignment = readAssignmentFile(resource(u"/assignments/column-scan.json"_s));
     return assignment ? *assignment : Assignment();
 }
 
@@ -55,7 +54,7 @@ bool deliver(const QString &folder, const Assignment &assignment,
     return QDir().mkpath(folder)
         && std::ranges::all_of(assignment.scenes, [&](const AssignedScene &each) {
                return imageOf(pictureWith(each.scene, defects))
-                   .save(QStringLiteral("%1/%2.png").arg(folder, each.name));
+                   .save(u"%1/%2.png"_s.arg(folder, each.name));
            });
 }
 

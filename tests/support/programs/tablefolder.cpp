@@ -23,16 +23,14 @@ QString jsonFault(const QByteArray &text, const QStringList &names, qsizetype ro
     QJsonParseError error;
     const QJsonDocument document = QJsonDocument::fromJson(text, &error);
     if (error.error != QJsonParseError::NoError)
-        return error.errorString() + QStringLiteral(": ")
+        return error.errorString() + u": "_s
             + QString::fromUtf8(text.mid(std::max(0, error.offset - 40), 80));
-    const QJsonArray rows = document[QStringLiteral("rows")].toArray();
+    const QJsonArray rows = document[u"rows"_s].toArray();
     if (rows.size() != rowCount)
-        return QStringLiteral("%1 rows in JSON, %2 in CSV").arg(rows.size()).arg(rowCount);
+        return u"%1 rows in JSON, %2 in CSV"_s.arg(rows.size()).arg(rowCount);
     for (const QJsonValue &row : rows) {
         if (row.toObject().size() != names.size())
-            return QStringLiteral("an object has %1 of %2 columns")
-                .arg(row.toObject().size())
-                .arg(names.size());
+            return u"an object has %1 of %2 columns"_s.arg(row.toObject().size()).arg(names.size());
     }
     return {};
 }
@@ -48,9 +46,9 @@ QString faultOfTable(const Table &table, const TracedScene &traced, TraceLevel l
     // No cell of these tables contains a line break.
     const QString fault = jsonFault(table.json, names, table.csv.count('\n') - 1);
     if (!fault.isEmpty())
-        return QStringLiteral("level %1: %2").arg(int(level)).arg(fault);
+        return u"level %1: %2"_s.arg(int(level)).arg(fault);
     if (exported(traced, {level, TableFormat::Text}).isEmpty())
-        return QStringLiteral("level %1: no text").arg(int(level));
+        return u"level %1: no text"_s.arg(int(level));
     return {};
 }
 
@@ -87,9 +85,9 @@ QString TableFolder::faultOfKept(const TracedScene &traced, const QString &name)
         const QString fault = faultOfTable(table, traced, level);
         if (!fault.isEmpty())
             return fault;
-        const QString path = m_folder.filePath(QStringLiteral("%1-%2").arg(name).arg(int(level)));
-        for (const auto &[ending, bytes] : {std::pair(QStringLiteral(".csv"), table.csv),
-                                            {QStringLiteral(".json"), table.json}}) {
+        const QString path = m_folder.filePath(u"%1-%2"_s.arg(name).arg(int(level)));
+        for (const auto &[ending, bytes] :
+             {std::pair(u".csv"_s, table.csv), {u".json"_s, table.json}}) {
             QFile file(path + ending);
             if (!file.open(QIODevice::WriteOnly) || file.write(bytes) != bytes.size())
                 return file.errorString();
@@ -101,16 +99,15 @@ QString TableFolder::faultOfKept(const TracedScene &traced, const QString &name)
 
 QString TableFolder::faultByPython() const
 {
-    const QString python = QStandardPaths::findExecutable(QStringLiteral("python3"));
+    const QString python = QStandardPaths::findExecutable(u"python3"_s);
     if (python.isEmpty())
-        return QStringLiteral("python3 is one of the tests' packages");
+        return u"python3 is one of the tests' packages"_s;
     QProcess process;
-    process.start(python,
-                  {resource(QStringLiteral("/../tests/support/readtables.py")), m_folder.path()});
+    process.start(python, {resource(u"/../tests/support/readtables.py"_s), m_folder.path()});
     process.waitForFinished(-1);
     const QByteArray read = process.readAllStandardOutput().trimmed();
     if (process.exitCode() != 0 || read != QByteArray::number(m_kept))
-        return QStringLiteral("%1 of %2 tables read. ").arg(QString::fromUtf8(read)).arg(m_kept)
+        return u"%1 of %2 tables read. "_s.arg(QString::fromUtf8(read)).arg(m_kept)
             + QString::fromUtf8(process.readAllStandardError());
     return {};
 }

@@ -79,11 +79,9 @@ std::size_t placeOf(const Method &method) { return std::size_t(&method - methods
 
 CheckedRun checkedRunOf(const QString &name, RunOrigin origin, const Scene &scene)
 {
-    QString text = QStringLiteral("%1, %2 %3 %4 %5")
-                       .arg(name, QString::fromStdString(scene.method),
-                            nameText(nameOf(scene.settings.arithmetic)),
-                            nameText(nameOf(scene.settings.fillRule)),
-                            nameText(nameOf(scene.settings.rounding)));
+    QString text = u"%1, %2 %3 %4 %5"_s.arg(
+        name, QString::fromStdString(scene.method), nameText(nameOf(scene.settings.arithmetic)),
+        nameText(nameOf(scene.settings.fillRule)), nameText(nameOf(scene.settings.rounding)));
     for (const Variant variant : variantsIn(scene.settings.variants))
         text += u' ' + nameText(nameOf(variant));
     CheckedRun run{text, origin, traceScene(scene), {}};
@@ -97,8 +95,8 @@ CheckedRuns::CheckedRuns()
     : m_scenes(scenesForEveryMethod())
     , m_cases(isSanitized ? std::vector<NamedScene>() : hardCaseDetails())
 {
-    m_scenes.push_back({QStringLiteral("cut by its frame"), sceneCutByItsFrame()});
-    m_scenes.push_back({QStringLiteral("carrying numbers"), sceneThatCarriesNumbers()});
+    m_scenes.push_back({u"cut by its frame"_s, sceneCutByItsFrame()});
+    m_scenes.push_back({u"carrying numbers"_s, sceneThatCarriesNumbers()});
     for (const auto &more : {randomScenes(randomCount), scenesWithEffects()})
         m_scenes.insert(m_scenes.end(), more.begin(), more.end());
     if (isSanitized) {
@@ -136,14 +134,14 @@ void CheckedRuns::forEachOf(const Method &method,
         Scene scene = departingScene(method);
         scene.settings.variants = variants;
         for (const Arithmetic arithmetic : arithmetics)
-            lookAt(RunOrigin::Variant, QStringLiteral("departing"), scene, arithmetic);
+            lookAt(RunOrigin::Variant, u"departing"_s, scene, arithmetic);
         Scene cut = sceneCutByItsFrame();
         cut.method = method.id.toStdString();
         cut.settings.variants = variants;
         cut.settings.arithmetic = arithmetics.front();
         for (const FillRule rule : method.fillRules) {
             cut.settings.fillRule = rule;
-            look(checkedRunOf(QStringLiteral("cut by its frame"), RunOrigin::Variant, cut));
+            look(checkedRunOf(u"cut by its frame"_s, RunOrigin::Variant, cut));
         }
     }
     for (std::size_t i = 0; i < m_cases.size(); ++i) {

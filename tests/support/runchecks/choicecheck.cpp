@@ -35,14 +35,14 @@ QString faultOfAll(const Method &method, const Choices &choices)
     QStringList missing;
     const auto compare = [&missing](const char *what, std::size_t seen, std::size_t all) {
         if (seen < all)
-            missing += QStringLiteral("%1 of %2 %3").arg(seen).arg(all).arg(QLatin1String(what));
+            missing += u"%1 of %2 %3"_s.arg(seen).arg(all).arg(QLatin1String(what));
     };
     compare("arithmetics", choices.arithmetics.size(), method.arithmetics.size());
     compare("fill rules", choices.fillRules.size(), method.fillRules.size());
     compare("roundings", choices.roundings.size(), allByteRoundings.size());
     compare("origins", choices.origins.size(), 2);
     compare("pixel centres", choices.centres.size(), 2);
-    return missing.join(QStringLiteral(", "));
+    return missing.join(u", "_s);
 }
 
 } // namespace
@@ -50,7 +50,7 @@ QString faultOfAll(const Method &method, const Choices &choices)
 RunCheck choiceCheck()
 {
     const auto choices = std::make_shared<Choices>();
-    return {QStringLiteral("every choice that the method leaves is in a run that writes"),
+    return {u"every choice that the method leaves is in a run that writes"_s,
             [choices](const CheckedRun &run) {
                 note(*choices, run);
                 return QString();

@@ -46,9 +46,9 @@ QString faultOf(const CheckedRun &run, Tally &tally)
             const auto range = FormulaRange::of(line.substituted, arithmetic);
             const QString fault = formulaFault(line, range, arithmetic);
             if (!fault.isEmpty() && faults.size() < mostFaults)
-                faults += QStringLiteral("%1: %2 %3, not %4, at step %5")
-                              .arg(line.symbols, line.substituted, fault, toText(line.used),
-                                   QString::number(each.index));
+                faults += u"%1: %2 %3, not %4, at step %5"_s.arg(line.symbols, line.substituted,
+                                                                 fault, toText(line.used),
+                                                                 QString::number(each.index));
             if (run.origin != RunOrigin::Scene)
                 continue;
             ++tally.count;
@@ -58,7 +58,7 @@ QString faultOf(const CheckedRun &run, Tally &tally)
             }
         }
     }
-    return faults.join(QStringLiteral("; "));
+    return faults.join(u"; "_s);
 }
 
 QString faultOfAll(const Method &method, const Tally &tally)
@@ -66,13 +66,12 @@ QString faultOfAll(const Method &method, const Tally &tally)
     const auto hasFormula
         = [](const NumberDescription &number) { return !number.formula.isEmpty(); };
     if (std::ranges::any_of(method.numbers.span, hasFormula) && tally.count <= fewestFormulas)
-        return QStringLiteral("only %1 formulas").arg(tally.count);
+        return u"only %1 formulas"_s.arg(tally.count);
     if (tally.vague <= vagueShare * tally.count)
         return {};
     const auto most = std::ranges::max_element(tally.vagueOnes, {},
                                                [](const auto &entry) { return entry.second; });
-    return QStringLiteral("%1 of %2 are vague, %3 of them %4")
-        .arg(tally.vague)
+    return u"%1 of %2 are vague, %3 of them %4"_s.arg(tally.vague)
         .arg(tally.count)
         .arg(most->second)
         .arg(most->first);
@@ -83,7 +82,7 @@ QString faultOfAll(const Method &method, const Tally &tally)
 RunCheck formulaCheck()
 {
     const auto tally = std::make_shared<Tally>();
-    return {QStringLiteral("every formula comes out at the number beside it"),
+    return {u"every formula comes out at the number beside it"_s,
             [tally](const CheckedRun &run) { return faultOf(run, *tally); },
             [tally](const Method &method) { return faultOfAll(method, *tally); }};
 }

@@ -17,8 +17,7 @@ QString differenceBetween(const QImage &is, const QImage &should)
     for (int row = 0; row < should.height(); ++row) {
         for (int column = 0; column < should.width(); ++column) {
             if (is.pixel(column, row) != should.pixel(column, row))
-                return QStringLiteral("column %1, row %2 of the picture is #%3, not #%4")
-                    .arg(column)
+                return u"column %1, row %2 of the picture is #%3, not #%4"_s.arg(column)
                     .arg(row)
                     .arg(is.pixel(column, row), 8, 16, QChar(u'0'))
                     .arg(should.pixel(column, row), 8, 16, QChar(u'0'));
@@ -37,16 +36,16 @@ QString replayFault(const CheckedRun &run)
     cursor.seek(traced.trace->stepCount());
     const QString atTheEnd = differenceBetween(cursor.frame().copy(), drawn.copy());
     if (!atTheEnd.isEmpty())
-        return QStringLiteral("at the end ") + atTheEnd;
+        return u"at the end "_s + atTheEnd;
     cursor.seek(traced.trace->stepCount() / 2);
     TraceCursor direct(*traced.trace, traced.scene.frame);
     direct.seek(traced.trace->stepCount() / 2);
     const QString halfWay = differenceBetween(cursor.frame().copy(), direct.frame().copy());
     if (!halfWay.isEmpty())
-        return QStringLiteral("half-way back ") + halfWay;
+        return u"half-way back "_s + halfWay;
     cursor.seek(0);
     const QString atTheStart = differenceBetween(cursor.frame().copy(), start);
-    return atTheStart.isEmpty() ? QString() : QStringLiteral("back at the start ") + atTheStart;
+    return atTheStart.isEmpty() ? QString() : u"back at the start "_s + atTheStart;
 }
 
 /// Whether the method refuses, with a reason, to draw a primitive: then its picture is incomplete.
@@ -67,7 +66,7 @@ QString truthFault(const CheckedRun &run)
     if (traced.shading() || !traced.method->isStableUnder(traced.scene.settings)
         || refusesSome(*traced.trace) || traced.differences.total() == 0)
         return {};
-    return QStringLiteral("%1 pixels missing, %2 extra, %3 in another colour")
+    return u"%1 pixels missing, %2 extra, %3 in another colour"_s
         .arg(traced.differences.count(Difference::Missing))
         .arg(traced.differences.count(Difference::Extra))
         .arg(traced.differences.count(Difference::Colour));
@@ -94,8 +93,7 @@ QString decidedFault(const CheckedRun &run)
         return {};
     const auto mark = std::ranges::find(traced.marks, MarkKind::FirstDifference, &TraceMark::kind);
     if (traced.differences.total() == 0)
-        return mark == traced.marks.end() ? QString()
-                                          : QStringLiteral("a mark, and no pixel differs");
+        return mark == traced.marks.end() ? QString() : u"a mark, and no pixel differs"_s;
     const auto visits = lastVisitsOf(traced);
     std::size_t first = traced.trace->stepCount() + 1;
     const FrameView view = traced.truth.view();
@@ -108,16 +106,16 @@ QString decidedFault(const CheckedRun &run)
             const std::size_t decided = traced.decidedAt(x, y);
             first = std::min(first, decided);
             if (visit == visits.end() ? kind != Difference::Missing : decided != visit->second)
-                return QStringLiteral("(%1, %2) is decided at %3").arg(x).arg(y).arg(decided);
+                return u"(%1, %2) is decided at %3"_s.arg(x).arg(y).arg(decided);
         }
     }
     if (traced.firstWrongPixel()->decidedAt != first)
-        return QStringLiteral("the first wrong pixel is decided at %1, not at %2")
+        return u"the first wrong pixel is decided at %1, not at %2"_s
             .arg(traced.firstWrongPixel()->decidedAt)
             .arg(first);
     return mark != traced.marks.end() && mark->step + 1 == first
         ? QString()
-        : QStringLiteral("the mark does not stand before position %1").arg(first);
+        : u"the mark does not stand before position %1"_s.arg(first);
 }
 
 QString levelFault(const CheckedRun &run)
@@ -134,8 +132,7 @@ QString levelFault(const CheckedRun &run)
             for (std::size_t channel = 0; channel < 3 && change.isWritten(); ++channel) {
                 if (std::clamp<std::int64_t>(samples[i].level[channel], 0, 255)
                     != bytes.channels[channel])
-                    return QStringLiteral("at (%1, %2) the level %3 is the byte %4")
-                        .arg(change.x)
+                    return u"at (%1, %2) the level %3 is the byte %4"_s.arg(change.x)
                         .arg(change.y)
                         .arg(samples[i].level[channel])
                         .arg(bytes.channels[channel]);
@@ -149,12 +146,12 @@ QString levelFault(const CheckedRun &run)
 
 std::vector<RunCheck> pictureChecks()
 {
-    return {{QStringLiteral("tracing changes no pixel, and every position can be reached from "
-                            "either side"),
+    return {{u"tracing changes no pixel, and every position can be reached from "
+             "either side"_s,
              replayFault},
-            {QStringLiteral("the picture is the truth where the method is stable"), truthFault},
-            {QStringLiteral("a wrong pixel is decided by its last visit"), decidedFault},
-            {QStringLiteral("the levels of a sample are the bytes of its pixel"), levelFault}};
+            {u"the picture is the truth where the method is stable"_s, truthFault},
+            {u"a wrong pixel is decided by its last visit"_s, decidedFault},
+            {u"the levels of a sample are the bytes of its pixel"_s, levelFault}};
 }
 
 } // namespace pixelplumb

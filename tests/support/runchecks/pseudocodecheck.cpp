@@ -49,9 +49,7 @@ QString faultOf(const CheckedRun &run, std::set<QString> &done)
                 done.insert(line.text);
         }
         if (!isListed)
-            return QStringLiteral("no line lists the moment %1 of step %2")
-                .arg(int(moment))
-                .arg(index);
+            return u"no line lists the moment %1 of step %2"_s.arg(int(moment)).arg(index);
     }
     return {};
 }
@@ -64,8 +62,7 @@ QString faultOfAll(const Method &method, const std::set<QString> &done)
         if (line.of != LineOf::Segment && !done.contains(line.text))
             missing += line.text;
     }
-    return missing.isEmpty() ? QString()
-                             : QStringLiteral("never done: ") + missing.join(QStringLiteral("; "));
+    return missing.isEmpty() ? QString() : u"never done: "_s + missing.join(u"; "_s);
 }
 
 } // namespace
@@ -73,7 +70,7 @@ QString faultOfAll(const Method &method, const std::set<QString> &done)
 RunCheck pseudocodeCheck()
 {
     const auto done = std::make_shared<std::set<QString>>();
-    return {QStringLiteral("every step does a line of the pseudocode, and every line is done"),
+    return {u"every step does a line of the pseudocode, and every line is done"_s,
             [done](const CheckedRun &run) { return faultOf(run, *done); },
             [done](const Method &method) { return faultOfAll(method, *done); }};
 }

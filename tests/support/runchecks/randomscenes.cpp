@@ -105,7 +105,7 @@ std::vector<NamedScene> randomScenes(int count)
     std::vector<NamedScene> scenes;
     RandomScenes random;
     for (int i = 0; i < count; ++i)
-        scenes.push_back({QStringLiteral("random %1").arg(i), random.next()});
+        scenes.push_back({u"random %1"_s.arg(i), random.next()});
     return scenes;
 }
 

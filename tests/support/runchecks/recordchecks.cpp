@@ -27,22 +27,22 @@ QString cellFault(const CheckedRun &run)
     for (std::size_t i = 0; i < trace.primitiveCount(); ++i) {
         if (trace.setUp(i).cells.size() != numbers.setUp.size()
             || !describe(trace.setUpWords(i), numbers.setUp))
-            return QStringLiteral("set-up %1").arg(i);
+            return u"set-up %1"_s.arg(i);
     }
     for (std::size_t span = 0; span < trace.spanCount(); ++span) {
         if (trace.span(span).cells.size() != numbers.span.size())
-            return QStringLiteral("span %1").arg(span);
+            return u"span %1"_s.arg(span);
         for (const SampleRecord &sample : trace.samples(span)) {
             if (sample.cells.size() != numbers.sample.size())
-                return QStringLiteral("sample (%1, %2)").arg(sample.x).arg(sample.y);
+                return u"sample (%1, %2)"_s.arg(sample.x).arg(sample.y);
         }
     }
     for (const std::size_t span : spreadOver(trace.spanCount(), mostSpans)) {
         if (!describe(trace.spanWords(span), numbers.span))
-            return QStringLiteral("words of span %1").arg(span);
+            return u"words of span %1"_s.arg(span);
         if (trace.firstSampleOf(span) < trace.endSampleOf(span)
             && !describe(trace.sampleWords(span, 0), numbers.sample))
-            return QStringLiteral("words of a sample of span %1").arg(span);
+            return u"words of a sample of span %1"_s.arg(span);
     }
     return {};
 }
@@ -68,13 +68,13 @@ QString sampleFault(const CheckedRun &run)
             && run.traced->primitives.isTriangle(record.primitive);
         if (samples.size() != trace.endSampleOf(span) - trace.firstSampleOf(span)
             || (isOrdered && std::int64_t(samples.size()) != record.drawnSamples()))
-            return QStringLiteral("span %1 has %2 samples").arg(span).arg(samples.size());
+            return u"span %1 has %2 samples"_s.arg(span).arg(samples.size());
         for (std::size_t i = 0; i < samples.size(); ++i) {
             const PixelChange &change = trace.changes()[trace.firstSampleOf(span) + i];
             if (samples[i].x != change.x || samples[i].y != change.y
                 || (samples[i].fate == SampleFate::Written) != change.isWritten()
                 || (isOrdered && !isInOrder(samples[i], record, i)))
-                return QStringLiteral("sample %1 of span %2").arg(i).arg(span);
+                return u"sample %1 of span %2"_s.arg(i).arg(span);
         }
     }
     return {};
@@ -102,9 +102,9 @@ QString indexFault(const CheckedRun &run)
             break;
         }
         if (!isRight)
-            return QStringLiteral("step %1").arg(index);
+            return u"step %1"_s.arg(index);
     }
-    return samples == trace.sampleCount() ? QString() : QStringLiteral("%1 samples").arg(samples);
+    return samples == trace.sampleCount() ? QString() : u"%1 samples"_s.arg(samples);
 }
 
 /// The numbers without an exact counterpart in files that a double cannot hold.
@@ -135,17 +135,17 @@ QString lossFault(const CheckedRun &run)
             lossy += lossyNumbers(trace.numbers().sample, sample.cells);
     }
     lossy.removeDuplicates();
-    return lossy.join(QStringLiteral(", "));
+    return lossy.join(u", "_s);
 }
 
 } // namespace
 
 std::vector<RunCheck> recordChecks()
 {
-    return {{QStringLiteral("every record has a cell and words for each number"), cellFault},
-            {QStringLiteral("the samples of a span are its changes, in their order"), sampleFault},
-            {QStringLiteral("the index of a step leads back to the step"), indexFault},
-            {QStringLiteral("what a double cannot hold has its exact number"), lossFault}};
+    return {{u"every record has a cell and words for each number"_s, cellFault},
+            {u"the samples of a span are its changes, in their order"_s, sampleFault},
+            {u"the index of a step leads back to the step"_s, indexFault},
+            {u"what a double cannot hold has its exact number"_s, lossFault}};
 }
 
 } // namespace pixelplumb

@@ -117,8 +117,8 @@ Scene sceneThatCarriesNumbers()
 std::vector<NamedScene> scenesWithEffects()
 {
     std::vector<NamedScene> scenes;
-    const QDir folder(resource(QStringLiteral("/scenes")));
-    for (const QString &name : folder.entryList({QStringLiteral("*.json")})) {
+    const QDir folder(resource(u"/scenes"_s));
+    for (const QString &name : folder.entryList({u"*.json"_s})) {
         const Scene example = readSceneFile(folder.filePath(name))->scene;
         if (planOf(SceneRun(example)).isPlain())
             continue;
@@ -127,15 +127,13 @@ std::vector<NamedScene> scenesWithEffects()
         const std::vector<Material> &materials = example.appearance.materials;
         if (materials.empty() && !example.hasSolids())
             continue;
-        scenes.push_back({name + QStringLiteral(", 4 samples"),
-                          withAntialiasing(middle, Antialiasing::Samples4)});
         scenes.push_back(
-            {name + QStringLiteral(", area"), withAntialiasing(middle, Antialiasing::Area)});
+            {name + u", 4 samples"_s, withAntialiasing(middle, Antialiasing::Samples4)});
+        scenes.push_back({name + u", area"_s, withAntialiasing(middle, Antialiasing::Area)});
         if (std::ranges::any_of(materials, [](const Material &each) { return bool(each.texture); }))
-            scenes.push_back({name + QStringLiteral(", four texels"), withFourTexels(middle)});
+            scenes.push_back({name + u", four texels"_s, withFourTexels(middle)});
     }
-    scenes.push_back(
-        {QStringLiteral("four texels without perspective"), withFourTexels(flatTexture())});
+    scenes.push_back({u"four texels without perspective"_s, withFourTexels(flatTexture())});
     return scenes;
 }
 

@@ -15,8 +15,7 @@ constexpr std::size_t keptShare = 4;
 RunCheck tableCheck(TableFolder &folder)
 {
     const auto runs = std::make_shared<std::size_t>(0);
-    return {QStringLiteral("every table of the run can be read"),
-            [&folder, runs](const CheckedRun &run) {
+    return {u"every table of the run can be read"_s, [&folder, runs](const CheckedRun &run) {
                 // The tables of runs with effects belong to the tests of effects and of the trace
                 // command.
                 if (run.traced->shading())

@@ -17,7 +17,7 @@ QString sentenceFault(const CheckedRun &run)
 {
     for (const ExplainedStep &each : run.steps) {
         if (each.explanation.heading.isEmpty() || each.explanation.sentence.isEmpty())
-            return QStringLiteral("step %1").arg(each.index);
+            return u"step %1"_s.arg(each.index);
     }
     return {};
 }
@@ -33,9 +33,8 @@ QString titleFault(const CheckedRun &run)
         if (span == 0)
             titles = here;
         else if (here != titles)
-            return QStringLiteral("span %1 has “%2”, the first “%3”")
-                .arg(span)
-                .arg(here.join(u' '), titles.join(u' '));
+            return u"span %1 has “%2”, the first “%3”"_s.arg(span).arg(here.join(u' '),
+                                                                       titles.join(u' '));
     }
     return {};
 }
@@ -47,8 +46,8 @@ QString roundingFault(const CheckedRun &run)
     for (const std::size_t span : spreadOver(trace.spanCount(), titledSpans)) {
         for (const NumberDescription &number : trace.spanWords(span).numbers) {
             const bool rounds = number.title.contains(u'⌈') || number.title.contains(u'⌊');
-            if (rounds && !number.formula.endsWith(QStringLiteral(" = ") + number.title))
-                return QStringLiteral("“%1” is “%2”").arg(number.title, number.formula);
+            if (rounds && !number.formula.endsWith(u" = "_s + number.title))
+                return u"“%1” is “%2”"_s.arg(number.title, number.formula);
         }
     }
     return {};
@@ -64,7 +63,7 @@ QString testedFault(const CheckedRun &run)
     if (tests || run.traced->shading())
         return {};
     for (const ExplainedStep &each : run.steps) {
-        if (each.explanation.sentence.contains(QStringLiteral("tested one by one")))
+        if (each.explanation.sentence.contains(u"tested one by one"_s))
             return each.explanation.sentence;
     }
     return {};
@@ -75,8 +74,7 @@ QString centreFault(const CheckedRun &run)
     const bool isHalf = run.traced->scene.frame.pixelCentre == PixelCentre::Half;
     for (const ExplainedStep &each : run.steps) {
         if (each.step.kind == StepKind::SetUp
-            && each.explanation.sentence.contains(QStringLiteral("½ px less than the scene's"))
-                != isHalf)
+            && each.explanation.sentence.contains(u"½ px less than the scene's"_s) != isHalf)
             return each.explanation.sentence;
     }
     return {};
@@ -86,11 +84,11 @@ QString centreFault(const CheckedRun &run)
 
 std::vector<RunCheck> wordChecks()
 {
-    return {{QStringLiteral("every step has a heading and a sentence"), sentenceFault},
-            {QStringLiteral("titles follow the settings alone"), titleFault},
-            {QStringLiteral("a heading that rounds is the formula"), roundingFault},
-            {QStringLiteral("only methods that test samples say so"), testedFault},
-            {QStringLiteral("coordinates that are not the scene's are said to be"), centreFault}};
+    return {{u"every step has a heading and a sentence"_s, sentenceFault},
+            {u"titles follow the settings alone"_s, titleFault},
+            {u"a heading that rounds is the formula"_s, roundingFault},
+            {u"only methods that test samples say so"_s, testedFault},
+            {u"coordinates that are not the scene's are said to be"_s, centreFault}};
 }
 
 } // namespace pixelplumb

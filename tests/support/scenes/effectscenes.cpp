@@ -9,6 +9,8 @@
 
 namespace pixelplumb {
 
+using namespace Qt::StringLiterals;
+
 namespace {
 
 using VertexArray = std::array<VertexAttributes, 3>;
@@ -27,8 +29,7 @@ public:
         chooseFrame();
         chooseEffects();
         addTriangles();
-        m_scene.name
-            = nameOf(m_hardship) + QStringLiteral(": ") + m_words.join(QStringLiteral(", "));
+        m_scene.name = nameOf(m_hardship) + u": "_s + m_words.join(u", "_s);
         return std::move(m_scene);
     }
 
@@ -260,25 +261,25 @@ QString nameOf(EffectHardship hardship)
 {
     switch (hardship) {
     case EffectHardship::None:
-        return QStringLiteral("anywhere");
+        return u"anywhere"_s;
     case EffectHardship::WholePixels:
-        return QStringLiteral("whole pixels");
+        return u"whole pixels"_s;
     case EffectHardship::Slivers:
-        return QStringLiteral("slivers");
+        return u"slivers"_s;
     case EffectHardship::SharedEdges:
-        return QStringLiteral("shared edges");
+        return u"shared edges"_s;
     case EffectHardship::Coincident:
-        return QStringLiteral("coincident");
+        return u"coincident"_s;
     case EffectHardship::Crossing:
-        return QStringLiteral("crossing");
+        return u"crossing"_s;
     case EffectHardship::Horizon:
-        return QStringLiteral("horizon");
+        return u"horizon"_s;
     case EffectHardship::TexelBorders:
-        return QStringLiteral("texel borders");
+        return u"texel borders"_s;
     case EffectHardship::FarAway:
-        return QStringLiteral("far away");
+        return u"far away"_s;
     case EffectHardship::Segments:
-        return QStringLiteral("segments");
+        return u"segments"_s;
     }
     return {};
 }

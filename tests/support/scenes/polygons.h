@@ -79,14 +79,11 @@ inline QString truthOf(const Scene &scene)
 /// The shape's contours in lattice units, for failure messages.
 inline QString contoursText(const Shape &shape)
 {
-    QString text = shape.fill == ShapeFill::NonZero ? QStringLiteral("non-zero:")
-                                                    : QStringLiteral("even-odd:");
+    QString text = shape.fill == ShapeFill::NonZero ? u"non-zero:"_s : u"even-odd:"_s;
     for (std::size_t i = 0; i < shape.vertices.size(); ++i) {
         if (std::ranges::find(shape.laterContours, i) != shape.laterContours.end())
-            text += QStringLiteral(" /");
-        text += QStringLiteral(" (%1, %2)")
-                    .arg(shape.vertices[i].position.x)
-                    .arg(shape.vertices[i].position.y);
+            text += u" /"_s;
+        text += u" (%1, %2)"_s.arg(shape.vertices[i].position.x).arg(shape.vertices[i].position.y);
     }
     return text;
 }

@@ -42,9 +42,9 @@ std::vector<Scene> probeScenes(const char *method)
 
 std::vector<Scene> probeSheet(const QString &method)
 {
-    const QDir folder(resource(QStringLiteral("/probes")));
+    const QDir folder(resource(u"/probes"_s));
     std::vector<Scene> scenes;
-    for (const QString &name : folder.entryList({method + QStringLiteral("-*.json")})) {
+    for (const QString &name : folder.entryList({method + u"-*.json"_s})) {
         if (const auto reading = readSceneFile(folder.filePath(name)))
             scenes.push_back(reading->scene);
     }

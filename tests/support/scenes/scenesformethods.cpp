@@ -37,8 +37,7 @@ Scene sceneOfTriangles(const std::vector<Triangle> &triangles)
 std::vector<NamedScene> scenesForEveryMethod()
 {
     std::vector<NamedScene> scenes;
-    QDirIterator files(resource(QStringLiteral("/scenes")), {QStringLiteral("*.json")},
-                       QDir::Files);
+    QDirIterator files(resource(u"/scenes"_s), {u"*.json"_s}, QDir::Files);
     while (files.hasNext()) {
         Scene scene = readSceneFile(files.next())->scene;
         if (!planOf(SceneRun(scene)).isPlain())
@@ -47,12 +46,11 @@ std::vector<NamedScene> scenesForEveryMethod()
         scene.frame.height = std::min(scene.frame.height, 16);
         scenes.push_back({files.fileName(), scene});
     }
-    scenes.push_back({QStringLiteral("empty"), sceneOfTriangles({})});
-    scenes.push_back(
-        {QStringLiteral("collinear"), sceneOfTriangles({triangleAt(1, 1, 5, 3, 9, 5)})});
-    scenes.push_back({QStringLiteral("upright"), sceneOfTriangles({triangleAt(3, 1, 3, 9, 3, 4)})});
-    scenes.push_back({QStringLiteral("point"), sceneOfTriangles({triangleAt(4, 4, 4, 4, 4, 4)})});
-    scenes.push_back({QStringLiteral("far"),
+    scenes.push_back({u"empty"_s, sceneOfTriangles({})});
+    scenes.push_back({u"collinear"_s, sceneOfTriangles({triangleAt(1, 1, 5, 3, 9, 5)})});
+    scenes.push_back({u"upright"_s, sceneOfTriangles({triangleAt(3, 1, 3, 9, 3, 4)})});
+    scenes.push_back({u"point"_s, sceneOfTriangles({triangleAt(4, 4, 4, 4, 4, 4)})});
+    scenes.push_back({u"far"_s,
                       sceneOfTriangles({triangleAt(-(1 << 30), 3, 1 << 30, 1, 7, 1 << 30),
                                         triangleAt(1, 1, 9, 2, 4, 8)})});
     Scene mixed = sceneOfTriangles({triangleAt(1, 1, 9, 2, 4, 8), triangleAt(1, 1, 5, 3, 9, 5)});
@@ -75,7 +73,7 @@ std::vector<NamedScene> scenesForEveryMethod()
     points.kind = PrimitiveKind::Point;
     points.vertices = {{latticePixel(2, 3), {{255, 0, 0}}}, {{2816, 1400}, {{0, 255, 0}}}};
     mixed.shapes.push_back(points);
-    scenes.push_back({QStringLiteral("mixed"), mixed});
+    scenes.push_back({u"mixed"_s, mixed});
     return scenes;
 }
 

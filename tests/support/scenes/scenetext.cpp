@@ -26,13 +26,13 @@ QByteArray sceneOf(const QByteArray &members, const QByteArray &primitives)
 QString errorOf(const QByteArray &text)
 {
     const Result<SceneReading> reading = readScene(text);
-    return reading ? QStringLiteral("no error") : reading.error().message();
+    return reading ? u"no error"_s : reading.error().message();
 }
 
 QString faultOf(const QByteArray &text)
 {
     const QString error = errorOf(text);
-    if (!error.startsWith(QStringLiteral("line ")))
+    if (!error.startsWith(u"line "_s))
         return error;
     const qsizetype column = error.indexOf(u',') + 1;
     return error.sliced(error.indexOf(u',', column) + 2);

@@ -76,9 +76,9 @@ QString departure(const CasePicture &drawn, const CasePicture &truth)
 
 QString nameOf(const Shape &shape)
 {
-    QString text = nameOf(shape.kind) + QStringLiteral(", units of 1/256 px:");
+    QString text = nameOf(shape.kind) + u", units of 1/256 px:"_s;
     for (const Vertex &vertex : shape.vertices)
-        text += QStringLiteral(" (%1, %2)").arg(vertex.position.x).arg(vertex.position.y);
+        text += u" (%1, %2)"_s.arg(vertex.position.x).arg(vertex.position.y);
     return text;
 }
 

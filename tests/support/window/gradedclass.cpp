@@ -31,8 +31,8 @@ QImage drawn(const Scene &scene)
 Classroom::Classroom()
 {
     Assignment assignment;
-    assignment.name = QStringLiteral("Triangles");
-    assignment.scenes.push_back({QStringLiteral("small"), smallScene()});
+    assignment.name = u"Triangles"_s;
+    assignment.scenes.push_back({u"small"_s, smallScene()});
     QFile file(assignmentFile());
     QVERIFY(file.open(QIODevice::WriteOnly));
     file.write(writeAssignment(assignment));

@@ -52,7 +52,7 @@ std::unique_ptr<MainWindow> openedWindow(const Scene &scene)
 std::unique_ptr<MainWindow> openedWindow(const QString &sceneFile)
 {
     auto window = std::make_unique<MainWindow>();
-    if (!window->openScene(resource(QStringLiteral("/scenes/")) + sceneFile))
+    if (!window->openScene(resource(u"/scenes/"_s) + sceneFile))
         QTest::qFail(qPrintable(sceneFile), __FILE__, __LINE__);
     show(*window);
     return window;
@@ -132,9 +132,8 @@ QImage grabbed(MainWindow &window, const QString &name)
     QImage picture = window.grab().toImage();
     const QByteArray folder = qgetenv("PIXELPLUMB_GRABS");
     if (!folder.isEmpty())
-        picture.save(
-            QStringLiteral("%1/%2-%3.png")
-                .arg(QString::fromLocal8Bit(folder), name, QLatin1String(QTest::currentDataTag())));
+        picture.save(u"%1/%2-%3.png"_s.arg(QString::fromLocal8Bit(folder), name,
+                                           QLatin1String(QTest::currentDataTag())));
     return picture;
 }
 
@@ -152,15 +151,15 @@ QString readingFault(const QWidget &part)
         = QColor::fromRgb(std::ranges::max_element(pixelsOf, {}, &Frequency::second)->first);
     const QColor window = QApplication::palette().color(QPalette::Window);
     if (contrastRatio(ground, window) > 1.5)
-        return QStringLiteral("%1 is drawn on %2, the window on %3")
-            .arg(part.objectName(), ground.name(), window.name());
+        return u"%1 is drawn on %2, the window on %3"_s.arg(part.objectName(), ground.name(),
+                                                            window.name());
     int readable = 0;
     for (const auto &[colour, pixels] : pixelsOf)
         readable += contrastRatio(QColor::fromRgb(colour), ground) >= 4.5 ? pixels : 0;
     // A word has about 100 pixels.
     return readable >= 100
         ? QString()
-        : QStringLiteral("%1 has %2 pixels that stand out").arg(part.objectName()).arg(readable);
+        : u"%1 has %2 pixels that stand out"_s.arg(part.objectName()).arg(readable);
 }
 
 } // namespace pixelplumb

@@ -56,8 +56,8 @@ QList<TranslatedText> textsOf(const QString &path)
 QStringList translationFiles()
 {
     QStringList paths;
-    const QDir folder(resource(QStringLiteral("/translations")));
-    for (const QString &name : folder.entryList({QStringLiteral("pixelplumb_*.ts")}))
+    const QDir folder(resource(u"/translations"_s));
+    for (const QString &name : folder.entryList({u"pixelplumb_*.ts"_s}))
         paths += folder.filePath(name);
     return paths;
 }

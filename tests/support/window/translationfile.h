@@ -6,6 +6,8 @@
 
 namespace pixelplumb {
 
+using namespace Qt::StringLiterals;
+
 /// A text of a .ts file: where the program uses it, and its translation.
 struct TranslatedText {
     QString context;
@@ -15,7 +17,7 @@ struct TranslatedText {
     bool counts = false;
 
     /// "pixelplumb::ViewMenu: T&ruth"
-    QString name() const { return context + QStringLiteral(": ") + source; }
+    QString name() const { return context + u": "_s + source; }
 };
 
 /// Empty if the file cannot be read.

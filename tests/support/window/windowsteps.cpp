@@ -22,7 +22,7 @@ constexpr std::size_t mostRows = 8;
 /// The current run, and how much of it is checked.
 QString nameOfRun(const TracedScene &traced)
 {
-    return QStringLiteral("%1 %2, %3 of %4 positions and %5 of %6 rows")
+    return u"%1 %2, %3 of %4 positions and %5 of %6 rows"_s
         .arg(traced.method->id, nameText(nameOf(traced.scene.settings.arithmetic)))
         .arg(std::min(mostPositions, traced.trace->stepCount() + 1))
         .arg(traced.trace->stepCount() + 1)
@@ -61,15 +61,15 @@ QString faultInSteps(const MainWindow &window)
     for (const std::size_t position : spreadOver(traced.trace->stepCount() + 1, mostPositions)) {
         playhead.seek(position);
         if (playhead.position() != position)
-            return QStringLiteral("%1: position %2 cannot be reached").arg(name).arg(position);
+            return u"%1: position %2 cannot be reached"_s.arg(name).arg(position);
         if (position > 0 && explainStep(traced, position - 1).sentence.isEmpty())
-            return QStringLiteral("%1: nothing is said of step %2").arg(name).arg(position);
+            return u"%1: nothing is said of step %2"_s.arg(name).arg(position);
         if (named<QLabel>(window, "formulaHeading")->text().isEmpty())
-            return QStringLiteral("%1: no heading at position %2").arg(name).arg(position);
+            return u"%1: no heading at position %2"_s.arg(name).arg(position);
     }
     const QAbstractItemModel &table = *named<ColumnTable>(window, "columnTable")->model();
     if (traced.trace->spanCount() > 0 && lengthOfTexts(table) == 0)
-        return name + QStringLiteral(": the column table is empty");
+        return name + u": the column table is empty"_s;
     return {};
 }
 

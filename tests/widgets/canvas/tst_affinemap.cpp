@@ -19,7 +19,7 @@ using namespace pixelplumb;
 
 namespace {
 
-const QString layerId = QStringLiteral("affine-map");
+const QString layerId = u"affine-map"_s;
 
 /// The tests' own fraction; its numbers are too small to overflow.
 struct Ratio {
@@ -33,7 +33,7 @@ struct Ratio {
         const std::int64_t denominator = sign * below / common;
         QString shown = QString::number(sign * above / common);
         if (denominator != 1)
-            shown += QStringLiteral("/%1").arg(denominator);
+            shown += u"/%1"_s.arg(denominator);
         return shown.replace(u'-', QChar(0x2212));
     }
     QString rounded(int places) const
@@ -47,7 +47,7 @@ struct Ratio {
 QStringList texts(const std::vector<Ratio> &numbers)
 {
     QStringList exact;
-    QStringList rounded{QStringLiteral("≈ ")};
+    QStringList rounded{u"≈ "_s};
     for (const Ratio &number : numbers) {
         exact += number.text();
         rounded += number.rounded(3);
@@ -85,9 +85,9 @@ struct CramerWeights {
 
     QString text() const
     {
-        return QStringLiteral("α = %1, β = %2, γ = %3")
-            .arg(Ratio{parts[0], whole}.text(), Ratio{parts[1], whole}.text(),
-                 Ratio{parts[2], whole}.text());
+        return u"α = %1, β = %2, γ = %3"_s.arg(Ratio{parts[0], whole}.text(),
+                                               Ratio{parts[1], whole}.text(),
+                                               Ratio{parts[2], whole}.text());
     }
 };
 
@@ -190,10 +190,8 @@ private slots:
         const std::array<Point, 3> after
             = {halves(images[0]), halves(images[1]), halves(images[2])};
         const CramerWeights weights(before, halves(sample));
-        QCOMPARE(labelOf(drawing, QStringLiteral("p:")),
-                 QStringLiteral("p: %1").arg(weights.text()));
-        QCOMPARE(labelOf(drawing, QStringLiteral("p′:")),
-                 QStringLiteral("p′: %1").arg(weights.text()));
+        QCOMPARE(labelOf(drawing, u"p:"_s), u"p: %1"_s.arg(weights.text()));
+        QCOMPARE(labelOf(drawing, u"p′:"_s), u"p′: %1"_s.arg(weights.text()));
 
         // The position of the image, and its areas: the weights of the whole area there.
         const auto mean = [&](auto coordinate) {
@@ -209,16 +207,15 @@ private slots:
         const QStringList place = texts({mean([](const Point &point) { return point.x; }),
                                          mean([](const Point &point) { return point.y; })});
         const QStringList areas = texts({area(0), area(1), area(2), Ratio{whole, 4}});
-        QCOMPARE(notesOf(drawing, QStringLiteral("p′")),
-                 QStringList(QStringLiteral("p′ %1(%2, %3). Doubled areas: %4%5, %6, %7 of %8")
-                                 .arg(place[0], place[1], place[2], areas[0], areas[1], areas[2],
-                                      areas[3], areas[4])));
+        QCOMPARE(
+            notesOf(drawing, u"p′"_s),
+            QStringList(u"p′ %1(%2, %3). Doubled areas: %4%5, %6, %7 of %8"_s.arg(
+                place[0], place[1], place[2], areas[0], areas[1], areas[2], areas[3], areas[4])));
         const Ratio factor{whole, weights.whole};
         const bool mirrors = (whole < 0) != (weights.whole < 0);
-        QCOMPARE(notesOf(drawing, QStringLiteral("The weights stay")),
-                 QStringList(QStringLiteral("The weights stay, all areas are multiplied by %1%2")
-                                 .arg(factor.text(),
-                                      mirrors ? QStringLiteral(": the map mirrors") : QString())));
+        QCOMPARE(notesOf(drawing, u"The weights stay"_s),
+                 QStringList(u"The weights stay, all areas are multiplied by %1%2"_s.arg(
+                     factor.text(), mirrors ? u": the map mirrors"_s : QString())));
     }
 
     void theMapIsToldInWords()
@@ -229,8 +226,7 @@ private slots:
                      {latticePixel(30, 1), latticePixel(30, 17), latticePixel(24, 5)});
 
         QCOMPARE(look.drawing("affine-map").notes.mid(0, 2),
-                 QStringList({QStringLiteral("Affine map: x′ = 0·x − 1·y + 30"),
-                              QStringLiteral("and y′ = 2·x + 0·y + 1")}));
+                 QStringList({u"Affine map: x′ = 0·x − 1·y + 30"_s, u"and y′ = 2·x + 0·y + 1"_s}));
     }
 
     void theWeightsAreThoseOfTheScenesVerticesWhateverTheMethodSorts()
@@ -243,9 +239,8 @@ private slots:
 
         const LayerDrawing drawing = look.drawing("affine-map");
 
-        QCOMPARE(labelOf(drawing, QStringLiteral("a′")), QStringLiteral("a′ = P2′ (40, 10)"));
-        QCOMPARE(labelOf(drawing, QStringLiteral("p′:")),
-                 QStringLiteral("p′: α = 1, β = 0, γ = 0"));
+        QCOMPARE(labelOf(drawing, u"a′"_s), u"a′ = P2′ (40, 10)"_s);
+        QCOMPARE(labelOf(drawing, u"p′:"_s), u"p′: α = 1, β = 0, γ = 0"_s);
     }
 
     void theSampleIsThePickedPixelElseThatOfTheStep()
@@ -256,16 +251,16 @@ private slots:
         for (const std::size_t sample : {std::size_t(0), trace.sampleCount() / 2}) {
             look.view.position = trace.indexOfSample(sample) + 1;
             const PixelChange change = trace.changes()[sample];
-            const QString place = QStringLiteral("p (%1, %2). ").arg(change.x).arg(change.y);
+            const QString place = u"p (%1, %2). "_s.arg(change.x).arg(change.y);
             QCOMPARE(notesOf(look.drawing("affine-map"), place).size(), 1);
         }
         look.view.picked = QPoint(40, 20);
-        QCOMPARE(notesOf(look.drawing("affine-map"), QStringLiteral("p (40, 20). ")).size(), 1);
+        QCOMPARE(notesOf(look.drawing("affine-map"), u"p (40, 20). "_s).size(), 1);
         look.view.picked.reset();
         // Nothing is drawn, or everything: the pixel in the middle, (10/3, 2).
         for (const std::size_t position : {std::size_t(0), trace.stepCount()}) {
             look.view.position = position;
-            QCOMPARE(notesOf(look.drawing("affine-map"), QStringLiteral("p (3, 2). ")).size(), 1);
+            QCOMPARE(notesOf(look.drawing("affine-map"), u"p (3, 2). "_s).size(), 1);
         }
     }
 
@@ -316,10 +311,10 @@ private slots:
 
         const LayerDrawing drawing = look.drawing("affine-map");
 
-        QVERIFY(!labelOf(drawing, QStringLiteral("p:")).isEmpty());
-        QCOMPARE(labelOf(drawing, QStringLiteral("p′")), QString());
-        QCOMPARE(notesOf(drawing, QStringLiteral("flattens the triangle to no area")).size(), 1);
-        QVERIFY(notesOf(drawing, QStringLiteral("The weights stay")).isEmpty());
+        QVERIFY(!labelOf(drawing, u"p:"_s).isEmpty());
+        QCOMPARE(labelOf(drawing, u"p′"_s), QString());
+        QCOMPARE(notesOf(drawing, u"flattens the triangle to no area"_s).size(), 1);
+        QVERIFY(notesOf(drawing, u"The weights stay"_s).isEmpty());
     }
 
     void aTriangleWithoutAreaHasNoMap()
@@ -330,7 +325,7 @@ private slots:
 
         QVERIFY(drawing.isEmpty());
         QCOMPARE(drawing.notes.size(), 1);
-        QVERIFY(drawing.notes.front().contains(QStringLiteral("the triangle has no area")));
+        QVERIFY(drawing.notes.front().contains(u"the triangle has no area"_s));
     }
 
     void theFirstMapIsWorthALook_data()
@@ -441,7 +436,7 @@ private slots:
     {
         MapBench bench;
         QTest::keyClick(&bench.canvas, Qt::Key_BracketLeft); // the last of all handles
-        QCOMPARE(bench.canvas.spokenState(), QStringLiteral("image of vertex 2 at (10, 20)"));
+        QCOMPARE(bench.canvas.spokenState(), u"image of vertex 2 at (10, 20)"_s);
         QTest::keyClick(&bench.canvas, Qt::Key_Right, Qt::ControlModifier);
         QTest::keyClick(&bench.canvas, Qt::Key_Up, Qt::ControlModifier);
 
@@ -452,7 +447,7 @@ private slots:
         bench.document.undoStack()->undo();
         QCOMPARE(bench.options.affineImage()->corners[2], latticePixel(10, 20));
         QTest::keyClick(&bench.canvas, Qt::Key_BracketRight); // around to the first vertex
-        QCOMPARE(bench.canvas.spokenState(), QStringLiteral("vertex 0 of triangle 0 at (4, 5)"));
+        QCOMPARE(bench.canvas.spokenState(), u"vertex 0 of triangle 0 at (4, 5)"_s);
     }
 
     void theMapGoesWithItsTriangle_data()

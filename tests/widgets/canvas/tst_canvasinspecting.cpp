@@ -71,11 +71,10 @@ private slots:
         const QString distance = QString::number(along * 54 / std::hypot(54, 7), 'f', 2);
 
         QCOMPARE(bench.canvas.readout(),
-                 QStringLiteral("(30, 10) %1\ntriangle 0 · %2 px from L₀₂").arg(colour, distance));
+                 u"(30, 10) %1\ntriangle 0 · %2 px from L₀₂"_s.arg(colour, distance));
         bench.playhead.seek(0);
         QCOMPARE(bench.canvas.readout(),
-                 QStringLiteral("(30, 10) #000000\nnot painted · %1 px inside L₀₂ of triangle 0")
-                     .arg(distance));
+                 u"(30, 10) #000000\nnot painted · %1 px inside L₀₂ of triangle 0"_s.arg(distance));
     }
 
     void theReadoutSaysWhichEdgeKeepsAnUnpaintedPixelOut()
@@ -100,8 +99,7 @@ private slots:
         CanvasBench open(scene);
         open.playhead.seek(open.playhead.end());
         point(open, open.at(14, 9));
-        QCOMPARE(open.canvas.readout(),
-                 QStringLiteral("(14, 9) #000000\nnot painted · on L₀₂ of triangle 0"));
+        QCOMPARE(open.canvas.readout(), u"(14, 9) #000000\nnot painted · on L₀₂ of triangle 0"_s);
         // The same words as in the Pixel panel.
         QVERIFY(pixelHistory(*open.playhead.traced(), 14, 9)
                     .front()
@@ -124,10 +122,10 @@ private slots:
         const LatticePoint place{pixel.x() * unitsPerPixel + 64, pixel.y() * unitsPerPixel};
         point(bench, bench.canvas.positionOf(place).toPoint());
 
-        QVERIFY2(bench.canvas.readout().startsWith(QStringLiteral("vertex (%1").arg(pixel.x())),
+        QVERIFY2(bench.canvas.readout().startsWith(u"vertex (%1"_s.arg(pixel.x())),
                  qPrintable(bench.canvas.readout()));
         bench.canvas.setTool(CanvasTool::Inspect); // a click places none
-        QVERIFY(bench.canvas.readout().startsWith(QStringLiteral("(%1, ").arg(pixel.x())));
+        QVERIFY(bench.canvas.readout().startsWith(u"(%1, "_s.arg(pixel.x())));
     }
 };
 

@@ -141,15 +141,14 @@ private slots:
         CanvasBench bench(firstScene());
         QAccessibleInterface *accessible = QAccessible::queryAccessibleInterface(&bench.canvas);
         QVERIFY(accessible);
-        QCOMPARE(accessible->text(QAccessible::Name), QStringLiteral("Canvas"));
+        QCOMPARE(accessible->text(QAccessible::Name), u"Canvas"_s);
         QVERIFY(
             accessible->text(QAccessible::Description).contains("Arrows move the picked pixel"));
 
         bench.playhead.pick({30, 20});
-        QCOMPARE(accessible->text(QAccessible::Value), QStringLiteral("pixel (30, 20)"));
+        QCOMPARE(accessible->text(QAccessible::Value), u"pixel (30, 20)"_s);
         bench.document.selectVertex(VertexRef{0, 1});
-        QCOMPARE(accessible->text(QAccessible::Value),
-                 QStringLiteral("vertex 1 of triangle 0 at (58, 12)"));
+        QCOMPARE(accessible->text(QAccessible::Value), u"vertex 1 of triangle 0 at (58, 12)"_s);
     }
 };
 

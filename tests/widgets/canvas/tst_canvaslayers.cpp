@@ -72,7 +72,7 @@ private slots:
         QVERIFY(!isSeen(onInterval, LayerInk::Inside));
         QVERIFY(!isSeen(onEdge, LayerInk::First));
 
-        bench.options.setLayers({QStringLiteral("edge-table")});
+        bench.options.setLayers({u"edge-table"_s});
 
         QVERIFY(isSeen(onInterval, LayerInk::Inside));
         QVERIFY(isSeen(onEdge, LayerInk::First));
@@ -90,7 +90,7 @@ private slots:
         CanvasBench bench(sceneOf(line, "line-bresenham", {}));
         Canvas &canvas = bench.canvas;
         const TracedScene &traced = *bench.playhead.traced();
-        bench.options.setLayers({QStringLiteral("decisions")});
+        bench.options.setLayers({u"decisions"_s});
         canvas.setZoom(48);
         std::size_t seen = 0;
         for (std::size_t span = 1; span < traced.trace->spanCount(); ++span) {
@@ -98,7 +98,7 @@ private slots:
             LayerView view;
             view.traced = &traced;
             view.position = bench.playhead.position();
-            const LayerDrawing drawing = drawingOf({QStringLiteral("decisions")}, view);
+            const LayerDrawing drawing = drawingOf({u"decisions"_s}, view);
             const LayerSurface surface
                 = layerSurface(canvas.mapping(), canvas.view(), canvas.palette());
             const QImage grabbed = canvas.grab().toImage();
@@ -133,9 +133,9 @@ private slots:
                 pixels.push_back(grabbed.pixel(centre.x(), centre.y() + dy));
             return pixels;
         };
-        bench.options.setLayers({QStringLiteral("memory")});
+        bench.options.setLayers({u"memory"_s});
         const std::vector<QRgb> withNumber = line();
-        bench.options.setLayers({QStringLiteral("weights")});
+        bench.options.setLayers({u"weights"_s});
         const std::vector<QRgb> withOthers = line();
 
         // If the line were above them, it would hide both.
@@ -152,7 +152,7 @@ private slots:
         const auto names = [&] { return canvasScene(sources, view, choice, {}).names.size(); };
 
         QCOMPARE(names(), std::size_t(3));
-        bench.options.setLayers({QStringLiteral("vertices")}); // with their coordinates
+        bench.options.setLayers({u"vertices"_s}); // with their coordinates
         QCOMPARE(names(), std::size_t(0));
     }
 
@@ -160,7 +160,7 @@ private slots:
     {
         CanvasBench bench(firstScene());
         bench.playhead.seekToSpan(20);
-        bench.options.setLayers({QStringLiteral("isolines-red")});
+        bench.options.setLayers({u"isolines-red"_s});
         const QImage shown = bench.canvas.grab().toImage();
 
         bench.playhead.setForetold(true);
@@ -175,7 +175,7 @@ private slots:
         bench.playhead.seek(bench.playhead.end());
         bench.options.setGridShown(false);
         bench.canvas.setZoom(int(64 * bench.canvas.devicePixelRatioF()));
-        bench.options.setLayers({QStringLiteral("samples")});
+        bench.options.setLayers({u"samples"_s});
         const QPoint pixel = *bench.canvas.pixelAt(bench.canvas.view().center());
         const QImage grabbed = bench.canvas.grab().toImage();
         const QRect cell = bench.canvas.mapping().deviceCellOf(pixel);

@@ -231,8 +231,8 @@ private slots:
         const qsizetype none = pathsOf({});
 
         // An address for each pixel.
-        QVERIFY(pathsOf({QStringLiteral("memory")}) >= none + 64 * 48);
-        QCOMPARE(pathsOf({QStringLiteral("edge-table")}), none);
+        QVERIFY(pathsOf({u"memory"_s}) >= none + 64 * 48);
+        QCOMPARE(pathsOf({u"edge-table"_s}), none);
     }
 
     void figureHoldsWhatLayersSayBesideThem_data()
@@ -270,10 +270,9 @@ private slots:
         scene.frame.width = 1024;
         scene.frame.height = 512;
         CanvasBench bench(scene);
-        const QString reason
-            = exportSvg(QStringLiteral("never.svg"), bench.playhead, bench.options);
-        QVERIFY2(reason.contains(QStringLiteral("1024 × 512")), qPrintable(reason));
-        QVERIFY(!QFile::exists(QStringLiteral("never.svg")));
+        const QString reason = exportSvg(u"never.svg"_s, bench.playhead, bench.options);
+        QVERIFY2(reason.contains(u"1024 × 512"_s), qPrintable(reason));
+        QVERIFY(!QFile::exists(u"never.svg"_s));
     }
 
     void repaintsAHugeFrameQuickly()

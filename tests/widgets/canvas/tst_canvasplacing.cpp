@@ -190,7 +190,7 @@ private slots:
         QCOMPARE(bench.playhead.pickedPixel(), std::optional(QPoint(30, 20)));
         QVERIFY(!bench.document.isModified());
         bench.click(58, 12, Qt::RightButton);
-        auto *menu = bench.canvas.findChild<QMenu *>(QStringLiteral("canvasMenu"));
+        auto *menu = bench.canvas.findChild<QMenu *>(u"canvasMenu"_s);
         QVERIFY(menu);
         QCOMPARE(bench.document.selectedVertex(), std::optional(VertexRef{0, 1}));
 
@@ -234,7 +234,7 @@ private slots:
         QSignalSpy refused(&bench.document, &SceneDocument::refused);
         for (const char *typed : {"53/; 44", "53/2", "53/2; 44"}) {
             bench.canvas.editCoordinates({0, 2});
-            auto *dialog = bench.canvas.findChild<QInputDialog *>(QStringLiteral("vertexDialog"));
+            auto *dialog = bench.canvas.findChild<QInputDialog *>(u"vertexDialog"_s);
             dialog->setTextValue(QString::fromLatin1(typed));
             dialog->accept();
             delete dialog;
@@ -260,21 +260,21 @@ private slots:
         take();
         QVERIFY(!document.isModified()); // nothing was typed
 
-        type("vertex1z", QStringLiteral("1/4"));
-        type("vertex2u", QStringLiteral("-0.5"));
+        type("vertex1z", u"1/4"_s);
+        type("vertex2u", u"-0.5"_s);
         take();
         QCOMPARE(document.scene().attributes.size(), 1U);
         QCOMPARE(document.attributesOf(0).vertices[1].z, attributeOne / 4);
         QCOMPARE(document.attributesOf(0).vertices[2].texture[0], -attributeOne / 2);
         QCOMPARE(readScene(writeScene(document.scene(), {}))->scene, document.scene());
 
-        type("vertex0w", QStringLiteral("0"));
+        type("vertex0w", u"0"_s);
         QVERIFY(!dialog.triangle());
-        QCOMPARE(dialog.triangle().error().place, QStringLiteral("vertex 0, w"));
+        QCOMPARE(dialog.triangle().error().place, u"vertex 0, w"_s);
         type("vertex0w", {});
-        type("vertex0N_z", QStringLiteral("1"));
+        type("vertex0N_z", u"1"_s);
         QVERIFY(!dialog.triangle()); // only one of three normals
-        QVERIFY(dialog.triangle().error().message().contains(QStringLiteral("three normals")));
+        QVERIFY(dialog.triangle().error().message().contains(u"three normals"_s));
         type("vertex0N_z", {});
         type("vertex1z", {});
         type("vertex2u", {});

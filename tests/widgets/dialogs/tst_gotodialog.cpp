@@ -38,16 +38,14 @@ private slots:
         QTest::addColumn<SpanAxis>("axis");
         QTest::addColumn<QString>("verdict");
         QTest::newRow("columns") << triangleScene("column-scan") << SpanAxis::Column
-                                 << QStringLiteral("Goes to column 9.");
-        QTest::newRow("rows") << triangleScene("row-walk") << SpanAxis::Row
-                              << QStringLiteral("Goes to row 9.");
+                                 << u"Goes to column 9."_s;
+        QTest::newRow("rows") << triangleScene("row-walk") << SpanAxis::Row << u"Goes to row 9."_s;
         QTest::newRow("steps") << sceneOf(circleAt(20, 20, 18), "circle-midpoint", frameOf(40, 40))
-                               << SpanAxis::Free << QStringLiteral("Goes to the shape's step 9.");
+                               << SpanAxis::Free << u"Goes to the shape's step 9."_s;
         // A steep line, with which the run begins, and a flat one: both have a position 9.
         Scene lines = sceneOf(lineAt(2, 2, 9, 36), "line-bresenham", frameOf(40, 40));
         lines.shapes.push_back(lineAt(8, 2, 20, 5));
-        QTest::newRow("columns and rows")
-            << lines << SpanAxis::Row << QStringLiteral("Goes to row 9.");
+        QTest::newRow("columns and rows") << lines << SpanAxis::Row << u"Goes to row 9."_s;
     }
     void oneNumberIsWhatTheMethodWalks()
     {
@@ -56,11 +54,11 @@ private slots:
         QFETCH(QString, verdict);
         TracedPlayhead playhead(scene);
         GoToDialog dialog(&playhead);
-        auto *line = dialog.findChild<QLineEdit *>(QStringLiteral("goToLine"));
-        const auto *label = dialog.findChild<QLabel *>(QStringLiteral("goToLabel"));
-        const auto *said = dialog.findChild<QLabel *>(QStringLiteral("goToVerdict"));
+        auto *line = dialog.findChild<QLineEdit *>(u"goToLine"_s);
+        const auto *label = dialog.findChild<QLabel *>(u"goToLabel"_s);
+        const auto *said = dialog.findChild<QLabel *>(u"goToVerdict"_s);
 
-        QTest::keyClicks(line, QStringLiteral("9"));
+        QTest::keyClicks(line, u"9"_s);
 
         QCOMPARE(said->text(), verdict);
         for (const auto &[each, noun] :
@@ -80,11 +78,9 @@ private slots:
     {
         TracedPlayhead playhead(triangleScene("row-walk"));
         GoToDialog dialog(&playhead);
-        QTest::keyClicks(dialog.findChild<QLineEdit *>(QStringLiteral("goToLine")),
-                         QStringLiteral("39"));
+        QTest::keyClicks(dialog.findChild<QLineEdit *>(u"goToLine"_s), u"39"_s);
 
-        QCOMPARE(dialog.findChild<QLabel *>(QStringLiteral("goToVerdict"))->text(),
-                 QStringLiteral("There is no row 39."));
+        QCOMPARE(dialog.findChild<QLabel *>(u"goToVerdict"_s)->text(), u"There is no row 39."_s);
         QVERIFY(!dialog.findChild<QDialogButtonBox *>()->button(QDialogButtonBox::Ok)->isEnabled());
     }
 };

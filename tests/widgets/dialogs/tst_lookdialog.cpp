@@ -42,15 +42,15 @@ private slots:
 
     void theSceneIsShownAsItsFileHasItAndKeptWhereNothingIsChanged()
     {
-        QCOMPARE(value("camera", "eye"), QStringLiteral("[0, 1, 6]"));
-        QCOMPARE(value("camera", "near"), QStringLiteral("0.5"));
+        QCOMPARE(value("camera", "eye"), u"[0, 1, 6]"_s);
+        QCOMPARE(value("camera", "near"), u"0.5"_s);
         QCOMPARE(value("camera", "far"), QString()); // the default, beside it
         QCOMPARE(cell("camera", "far").siblingAtColumn(SceneLook::Default).data().toString(),
-                 QStringLiteral("100"));
-        QCOMPARE(value("b", "shininess"), QStringLiteral("7"));
-        QCOMPARE(value("[0]", "direction"), QStringLiteral("[0, -1, \"5592405/16777216\"]"));
-        QCOMPARE(value("[0]", "color"), QStringLiteral("#ff8000"));
-        QCOMPARE(value("", "antialiasing"), QStringLiteral("4"));
+                 u"100"_s);
+        QCOMPARE(value("b", "shininess"), u"7"_s);
+        QCOMPARE(value("[0]", "direction"), u"[0, -1, \"5592405/16777216\"]"_s);
+        QCOMPARE(value("[0]", "color"), u"#ff8000"_s);
+        QCOMPARE(value("", "antialiasing"), u"4"_s);
         QVERIFY(m_dialog->look().camera == m_scene.camera);
         QVERIFY(m_dialog->look().appearance == m_scene.appearance);
     }
@@ -61,7 +61,7 @@ private slots:
         set("b", "filter", "bilinear");
         set("", "shading", "flat");
         SceneDocument document;
-        document.setScene(m_scene, QStringLiteral("scene"));
+        document.setScene(m_scene, u"scene"_s);
         const int before = document.undoStack()->index();
         document.setLook(m_dialog->look().camera, m_dialog->look().appearance);
         QCOMPARE(document.undoStack()->index(), before + 1);
@@ -129,7 +129,7 @@ private slots:
         button("addMaterial").click();
         QCOMPARE(m_dialog->look().appearance.lights.size(), std::size_t(2));
         QCOMPARE(m_dialog->look().appearance.materials.size(), std::size_t(3));
-        tree().model()->setData(tree().currentIndex(), QStringLiteral("A"));
+        tree().model()->setData(tree().currentIndex(), u"A"_s);
         std::string names; // those that primitives name by their places stay where they are
         for (const Material &material : m_dialog->look().appearance.materials)
             names += material.name;

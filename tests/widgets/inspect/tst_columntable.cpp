@@ -132,7 +132,7 @@ private slots:
         TracedPlayhead playhead(scene);
         const TracedScene &traced = *playhead.traced();
         ColumnTablePanel panel(&playhead);
-        auto *box = panel.findChild<QComboBox *>(QStringLiteral("rowFilterBox"));
+        auto *box = panel.findChild<QComboBox *>(u"rowFilterBox"_s);
         const auto &model = *qobject_cast<const ColumnTableModel *>(panel.table()->model());
         QCOMPARE(model.rowCount(), 61);
         playhead.seekToSpan(10); // x = 11: a tie
@@ -140,8 +140,8 @@ private slots:
         box->setCurrentIndex(int(RowFilter::Ties));
         QVERIFY(model.rowCount() >= 7 && model.rowCount() < 61);
         QCOMPARE(model.spanAt(panel.table()->currentIndex().row()), std::size_t(10));
-        QCOMPARE(panel.findChild<QLabel *>(QStringLiteral("columnTableSummary"))->text(),
-                 QStringLiteral("%1 of 61 columns").arg(model.rowCount()));
+        QCOMPARE(panel.findChild<QLabel *>(u"columnTableSummary"_s)->text(),
+                 u"%1 of 61 columns"_s.arg(model.rowCount()));
         panel.table()->selectRow(0);
         QCOMPARE(playhead.currentSpan(), std::optional(model.spanAt(0)));
         playhead.seekToSpan(11); // no tie: no row is selected
@@ -166,7 +166,7 @@ private slots:
     {
         TracedPlayhead playhead(defaultSceneIn(Arithmetic::Exact, 2));
         ColumnTablePanel panel(&playhead);
-        panel.findChild<QAction *>(QStringLiteral("copyTable"))->trigger();
+        panel.findChild<QAction *>(u"copyTable"_s)->trigger();
         const QStringList lines
             = QApplication::clipboard()->text().split(u'\n', Qt::SkipEmptyParts);
         QCOMPARE(lines.size(), qsizetype(playhead.traced()->trace->spanCount() + 1));

@@ -101,8 +101,8 @@ bool isSame(const Quantity &shown, const BigRational &expected)
 const FormulaLine *lineOf(const Explanation &explanation, QChar letter)
 {
     const auto found = std::ranges::find_if(explanation.lines, [letter](const FormulaLine &line) {
-        return line.symbols.startsWith(letter + QStringLiteral(" = "))
-            || line.symbols.startsWith(letter + QStringLiteral(" ← "));
+        return line.symbols.startsWith(letter + u" = "_s)
+            || line.symbols.startsWith(letter + u" ← "_s);
     });
     return found == explanation.lines.end() ? nullptr : &*found;
 }
@@ -189,10 +189,9 @@ private:
                                const Quantity &exact)
     {
         const QString shown = beside.data().toString();
-        if (shown.startsWith(QStringLiteral("exact")))
+        if (shown.startsWith(u"exact"_s))
             QCOMPARE(shown,
-                     QStringLiteral("exact %1, error %2")
-                         .arg(displayText(exact), displayError(used, exact)));
+                     u"exact %1, error %2"_s.arg(displayText(exact), displayError(used, exact)));
         else
             QVERIFY2(used == exact, qPrintable(shown));
     }

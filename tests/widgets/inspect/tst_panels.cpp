@@ -56,8 +56,8 @@ private slots:
         playhead.seek(playhead.traced()->trace->indexOfSetUp(0) + 1);
         const Explanation explanation = explainStep(*playhead.traced(), playhead.position() - 1);
         const QString text = textOf(*browser);
-        QCOMPARE(explanation.stages.front().stage, QStringLiteral("Vertex"));
-        QCOMPARE(explanation.stages.back().stage, QStringLiteral("Lattice"));
+        QCOMPARE(explanation.stages.front().stage, u"Vertex"_s);
+        QCOMPARE(explanation.stages.back().stage, u"Lattice"_s);
         for (const StageFormulas &stage : explanation.stages) {
             QVERIFY2(text.contains(stage.stage), qPrintable(stage.stage));
             for (const FormulaLine &line : stage.lines) {
@@ -67,24 +67,24 @@ private slots:
                              qPrintable(line.symbols));
             }
         }
-        QVERIFY(panel.accessibleDescription().contains(QStringLiteral("Clip coordinates")));
+        QVERIFY(panel.accessibleDescription().contains(u"Clip coordinates"_s));
 
         playhead.seekToSpan(0);
-        QVERIFY(!browser->toPlainText().contains(QStringLiteral("Clip coordinates")));
+        QVERIFY(!browser->toPlainText().contains(u"Clip coordinates"_s));
     }
 
     void theChangeOfHalfIsAnEvent()
     {
         TracedPlayhead playhead(defaultSceneIn(Arithmetic::Exact));
         FormulaPanel panel(&playhead);
-        auto *heading = panel.findChild<QLabel *>(QStringLiteral("formulaHeading"));
+        auto *heading = panel.findChild<QLabel *>(u"formulaHeading"_s);
 
         playhead.seekToSpan(std::size_t(rowOf(26)));
-        QVERIFY(!heading->text().contains(QStringLiteral("⚑")));
+        QVERIFY(!heading->text().contains(u"⚑"_s));
 
         playhead.seekToSpan(std::size_t(rowOf(27)));
-        QVERIFY(heading->text().contains(QStringLiteral("⚑")));
-        QVERIFY(heading->text().contains(QStringLiteral("L₁₂")));
+        QVERIFY(heading->text().contains(u"⚑"_s));
+        QVERIFY(heading->text().contains(u"L₁₂"_s));
     }
 
     void numbersStandOnOneLineInANarrowPanel()
@@ -117,12 +117,12 @@ private slots:
     {
         Playhead playhead;
         FormulaPanel panel(&playhead);
-        const auto *sentence = panel.findChild<QLabel *>(QStringLiteral("formulaSentence"));
+        const auto *sentence = panel.findChild<QLabel *>(u"formulaSentence"_s);
 
-        QVERIFY(sentence->text().contains(QStringLiteral("is still being recorded")));
+        QVERIFY(sentence->text().contains(u"is still being recorded"_s));
 
         playhead.setTraced(traceScene(Scene()));
-        QVERIFY(sentence->text().contains(QStringLiteral("Click three points on the canvas")));
+        QVERIFY(sentence->text().contains(u"Click three points on the canvas"_s));
     }
 
     void formulasKeepTheirPlaceWhileStepping()
@@ -174,8 +174,7 @@ private slots:
         };
         const double symbols = topOf("CB ← CB′");
         QVERIFY(symbols > 0);
-        const QTextCursor channel
-            = document.find(QStringLiteral("R "), document.find(QStringLiteral("CB ← CB′")));
+        const QTextCursor channel = document.find(u"R "_s, document.find(u"CB ← CB′"_s));
         QCOMPARE(document.documentLayout()->blockBoundingRect(channel.block()).top(), symbols);
         QVERIFY(topOf("first C") > symbols);
     }

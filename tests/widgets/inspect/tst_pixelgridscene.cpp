@@ -38,9 +38,9 @@ private slots:
             return pixelGridScene(playhead, options, mapping).boundsOf;
         };
 
-        QCOMPARE(boundsAround({27, 20}), QStringLiteral("column 27"));
+        QCOMPARE(boundsAround({27, 20}), u"column 27"_s);
         QCOMPARE(boundsAround({23, 20}),
-                 QStringLiteral("column 27")); // the last of the visible cells
+                 u"column 27"_s); // the last of the visible cells
         QCOMPARE(boundsAround({32, 20}), QString());
     }
 
@@ -88,7 +88,7 @@ private slots:
                     = last.startsWith(u'⌊') ? std::floor(upper) : std::ceil(upper) - 1;
                 QCOMPARE(double(shown.span->firstSample), least);
                 QCOMPARE(double(shown.span->endSample - 1), greatest);
-                QCOMPARE(shown.areBoundsExact, id != QStringLiteral("column-scan"));
+                QCOMPARE(shown.areBoundsExact, id != u"column-scan"_s);
             }
         }
     }
@@ -102,8 +102,8 @@ private slots:
         playhead.seekToSpan(std::size_t(rowOf(27)));
         const PixelGridScene shown
             = pixelGridScene(playhead, DisplayOptions(), cellsAround({27, 20}));
-        QCOMPARE(shown.roundings[0], QStringLiteral("⌈y_B−β_B⌉"));
-        QCOMPARE(shown.roundings[1], QStringLiteral("⌊y_T+β_T⌋"));
+        QCOMPARE(shown.roundings[0], u"⌈y_B−β_B⌉"_s);
+        QCOMPARE(shown.roundings[1], u"⌊y_T+β_T⌋"_s);
     }
 
     void candidatesAreTheRowsThatAreNotWrittenYet()

@@ -50,7 +50,7 @@ private slots:
         const PixelAttempt attempt = pixelHistory(*traced, 27, 19).front();
         const QModelIndex written = model.decisiveRow();
         QVERIFY(attempt.written);
-        QCOMPARE(written.data().toString(), QStringLiteral("△ 0 wrote it"));
+        QCOMPARE(written.data().toString(), u"△ 0 wrote it"_s);
         QCOMPARE(written.data(PixelHistoryModel::StepRole).toULongLong(), qulonglong(attempt.step));
         QCOMPARE(model.rowCount(written), 6); // three channels, three edges
         for (int edge = 0; edge < 3; ++edge) {
@@ -58,18 +58,17 @@ private slots:
                 return model.index(3 + edge, column, written).data().toString();
             };
             QCOMPARE(at(PixelHistoryModel::WhatColumn),
-                     QStringLiteral("edge %1").arg(attempt.edgeNames[std::size_t(edge)]));
-            QCOMPARE(at(PixelHistoryModel::ByteColumn), QStringLiteral("accepts"));
-            QVERIFY(
-                at(PixelHistoryModel::ExactColumn).contains(QStringLiteral("px from the edge")));
+                     u"edge %1"_s.arg(attempt.edgeNames[std::size_t(edge)]));
+            QCOMPARE(at(PixelHistoryModel::ByteColumn), u"accepts"_s);
+            QVERIFY(at(PixelHistoryModel::ExactColumn).contains(u"px from the edge"_s));
         }
         QCOMPARE(model.index(0, PixelHistoryModel::UsedColumn, written).data().toString(),
                  displayText(attempt.sample->colour[0]));
         QCOMPARE(model.index(0, PixelHistoryModel::ByteColumn, written).data().toString(),
-                 QStringLiteral("→ %1").arg(attempt.sample->level[0]));
+                 u"→ %1"_s.arg(attempt.sample->level[0]));
 
         model.setPosition(0);
-        QCOMPARE(model.decisiveRow().data().toString(), QStringLiteral("△ 0 will write it"));
+        QCOMPARE(model.decisiveRow().data().toString(), u"△ 0 will write it"_s);
     }
 
     /// "≈" means the same number in decimals; even exact arithmetic may be wrong through a variant.
@@ -86,8 +85,8 @@ private slots:
         };
         QVERIFY2(beside().startsWith(u'≈'), qPrintable(beside()));
         scene.settings.variants = scene.settings.variants.with(Variant::UnsortedColours);
-        QVERIFY2(beside().startsWith(QStringLiteral("exact ")), qPrintable(beside()));
-        QVERIFY(beside().contains(QStringLiteral("error ")));
+        QVERIFY2(beside().startsWith(u"exact "_s), qPrintable(beside()));
+        QVERIFY(beside().contains(u"error "_s));
     }
 
     void whatVerticesCarryIsListedWhereTheSceneCallsForIt()
@@ -102,7 +101,7 @@ private slots:
         const std::shared_ptr<const TracedScene> traced = traceScene(scene);
         const PixelAttempt attempt = pixelHistory(*traced, 27, 19).front();
         QCOMPARE(attempt.carried.size(), std::size_t(1));
-        QCOMPARE(attempt.carried[0].title, QStringLiteral("z"));
+        QCOMPARE(attempt.carried[0].title, u"z"_s);
         // From the plane through the vertices' depths 0, 1 and 2.
         const auto weights = oracle::barycentricWeights(traced->primitives.triangles[0], 27, 19);
         const double depth
@@ -120,7 +119,7 @@ private slots:
         QVERIFY(model.index(3, PixelHistoryModel::ExactColumn, written)
                     .data()
                     .toString()
-                    .startsWith(QStringLiteral("exact ")));
+                    .startsWith(u"exact "_s));
 
         scene.attributes.clear();
         QVERIFY(pixelHistory(*traceScene(scene), 27, 19).front().carried.empty());
@@ -158,13 +157,13 @@ private slots:
         model.setPixel(traced, QPoint(4, 4)); // one row below P0
 
         const QModelIndex refused = model.decisiveRow();
-        QCOMPARE(refused.data().toString(), QStringLiteral("△ 0 refuses it"));
+        QCOMPARE(refused.data().toString(), u"△ 0 refuses it"_s);
         QCOMPARE(refused.data(PixelHistoryModel::ReasonRole).toString(),
                  pixelHistory(*traced, 4, 4).front().reason);
         QVERIFY(!refused.data(PixelHistoryModel::StepRole).isValid());
         QCOMPARE(model.rowCount(refused), 3);
         QCOMPARE(model.index(0, PixelHistoryModel::UsedColumn, refused).data().toString(),
-                 QStringLiteral("−1 px along column"));
+                 u"−1 px along column"_s);
 
         Scene byRows = traced->scene;
         byRows.method = "row-walk";
@@ -173,10 +172,8 @@ private slots:
         QVERIFY(model.index(0, PixelHistoryModel::UsedColumn, again)
                     .data()
                     .toString()
-                    .endsWith(QStringLiteral("px along row")));
-        QVERIFY(again.data(PixelHistoryModel::ReasonRole)
-                    .toString()
-                    .contains(QStringLiteral("the row")));
+                    .endsWith(u"px along row"_s));
+        QVERIFY(again.data(PixelHistoryModel::ReasonRole).toString().contains(u"the row"_s));
     }
 
     void historyCountsTheRefusalsThatItDoesNotList()
@@ -189,7 +186,7 @@ private slots:
 
         QCOMPARE(model.rowCount(), PixelHistoryModel::listedRefusals + 1);
         QCOMPARE(model.index(model.rowCount() - 1, 0).data().toString(),
-                 QStringLiteral("and 5 more that refuse it"));
+                 u"and 5 more that refuse it"_s);
     }
 
     void theCurrentAttemptIsChosen()
@@ -198,7 +195,7 @@ private slots:
         PixelHistoryPanel panel(&playhead);
         panel.show();
         playhead.pick(QPoint(27, 19));
-        const auto *tree = panel.findChild<QTreeView *>(QStringLiteral("pixelHistoryTree"));
+        const auto *tree = panel.findChild<QTreeView *>(u"pixelHistoryTree"_s);
         const QAbstractItemModel *attempts = tree->model();
         for (const int row : {1, 0, 2}) {
             const std::size_t step
@@ -216,14 +213,12 @@ private slots:
         panel.show();
         playhead.pick(QPoint(27, 19));
 
-        QTest::mouseClick(panel.findChild<QToolButton *>(QStringLiteral("runToNextWrite")),
-                          Qt::LeftButton);
+        QTest::mouseClick(panel.findChild<QToolButton *>(u"runToNextWrite"_s), Qt::LeftButton);
         QCOMPARE(playhead.currentPixel(), QPoint(27, 19));
 
         playhead.seek(playhead.end());
         playhead.pick(QPoint(27, 19));
-        QTest::mouseClick(panel.findChild<QToolButton *>(QStringLiteral("runToPreviousWrite")),
-                          Qt::LeftButton);
+        QTest::mouseClick(panel.findChild<QToolButton *>(u"runToPreviousWrite"_s), Qt::LeftButton);
         QCOMPARE(playhead.currentPixel(), QPoint(27, 19));
     }
 
@@ -233,16 +228,16 @@ private slots:
         PixelHistoryPanel panel(&playhead);
         panel.show();
         playhead.pick(QPoint(27, 19));
-        const auto *heading = panel.findChild<QLabel *>(QStringLiteral("pixelHistoryHeading"));
+        const auto *heading = panel.findChild<QLabel *>(u"pixelHistoryHeading"_s);
         const QString truth = QColor::fromRgb(*playhead.traced()->truth.view().at(27, 19)).name();
 
-        QVERIFY(heading->text().contains(QStringLiteral("(27, 19)")));
-        QVERIFY(heading->text().contains(QStringLiteral("#000000")));
+        QVERIFY(heading->text().contains(u"(27, 19)"_s));
+        QVERIFY(heading->text().contains(u"#000000"_s));
         QVERIFY(heading->text().contains(truth));
 
         playhead.seek(playhead.end());
         playhead.pick(QPoint(27, 19));
-        QVERIFY(!heading->text().contains(QStringLiteral("#000000")));
+        QVERIFY(!heading->text().contains(u"#000000"_s));
     }
 
     /// The panel at its size in a window of 1366 × 768.
@@ -256,16 +251,16 @@ private slots:
             traceScene(sceneOf(lineAt(8, 6, 12, 4), "line-bresenham", frameOf(16, 8))));
         playhead.pick(QPoint(9, 5));
 
-        const auto *reason = panel.findChild<QLabel *>(QStringLiteral("pixelHistoryReason"));
-        const auto *area = panel.findChild<QScrollArea *>(QStringLiteral("pixelHistoryReasonArea"));
-        QVERIFY(reason->text().contains(QStringLiteral("A tie: ")));
+        const auto *reason = panel.findChild<QLabel *>(u"pixelHistoryReason"_s);
+        const auto *area = panel.findChild<QScrollArea *>(u"pixelHistoryReasonArea"_s);
+        QVERIFY(reason->text().contains(u"A tie: "_s));
         QVERIFY(reason->heightForWidth(area->viewport()->width())
                 > 4 * reason->fontMetrics().lineSpacing());
         QVERIFY(area->height() >= reason->heightForWidth(area->viewport()->width()));
 
         playhead.setTraced(traceScene(defaultSceneIn(Arithmetic::Exact)));
         playhead.pick(QPoint(9, 5));
-        const auto *tree = panel.findChild<QTreeView *>(QStringLiteral("pixelHistoryTree"));
+        const auto *tree = panel.findChild<QTreeView *>(u"pixelHistoryTree"_s);
         for (const int width : {490, 200}) {
             panel.resize(width, 300);
             const int total = tree->header()->length();

@@ -16,7 +16,7 @@ using namespace pixelplumb;
 
 namespace {
 
-const ErrorAxis &wrongPixels() { return *errorAxisNamed(QStringLiteral("wrong-pixels")); }
+const ErrorAxis &wrongPixels() { return *errorAxisNamed(u"wrong-pixels"_s); }
 
 /// Two plain kernels and their SIMD twins; measured on a busy machine by a command without spaces
 /// at which it could be broken.
@@ -26,10 +26,10 @@ std::shared_ptr<Study> twins()
                                 {"column-scan:exact", 4.0, 0, true},
                                 {"column-scan:float32:fast", 0.4, 5221},
                                 {"column-scan:exact:fast", 0.5, 0, true}});
-    results->command += QStringLiteral(" --contender ") + QString(400, u'x');
+    results->command += u" --contender "_s + QString(400, u'x');
     results->conditions.load = 7;
-    results->conditions.flags = QStringLiteral("-O0");
-    results->conditions.buildType = QStringLiteral("Release");
+    results->conditions.flags = u"-O0"_s;
+    results->conditions.buildType = u"Release"_s;
     return results;
 }
 
@@ -45,7 +45,7 @@ std::unique_ptr<Plot> shownPlot(const QSize &size = {800, 420})
 std::unique_ptr<ParetoPlot> paretoOfTwins(const QSize &size = {800, 420})
 {
     auto plot = shownPlot<ParetoPlot>(size);
-    plot->show(twins(), QStringLiteral("f"), wrongPixels());
+    plot->show(twins(), u"f"_s, wrongPixels());
     return plot;
 }
 
@@ -57,13 +57,13 @@ enum class Chart { Pareto, Misses };
 std::unique_ptr<LabPlot> chartOf(Chart chart)
 {
     const auto results = twins();
-    const QString family = QStringLiteral("f");
+    const QString family = u"f"_s;
     switch (chart) {
     case Chart::Pareto:
         return paretoOfTwins();
     case Chart::Misses: {
         auto plot = shownPlot<MissPlot>();
-        plot->show(results, family, QStringLiteral("column-scan:float32"));
+        plot->show(results, family, u"column-scan:float32"_s);
         return plot;
     }
     }
@@ -84,9 +84,8 @@ private slots:
         for (const char *key : {"best plain kernels", "best SIMD kernels", "SIMD kernel"})
             QVERIFY2(texts.contains(QLatin1String(key)), key);
         auto plain = shownPlot<ParetoPlot>();
-        plain->show(madeResults({{"column-scan:float32", 2.0, 5221}}), QStringLiteral("f"),
-                    wrongPixels());
-        QVERIFY(!textsOf(*plain).contains(QStringLiteral("SIMD")));
+        plain->show(madeResults({{"column-scan:float32", 2.0, 5221}}), u"f"_s, wrongPixels());
+        QVERIFY(!textsOf(*plain).contains(u"SIMD"_s));
     }
 
     void eachMarkMeansOneThing()
@@ -109,21 +108,21 @@ private slots:
             return plot->textAt(*plot->positionOf(QLatin1String(id)));
         };
 
-        QVERIFY(textOf("column-scan:exact").contains(QStringLiteral("by proof: all triangles")));
-        QVERIFY(textOf("column-scan:exact:fast").contains(QStringLiteral("tested, not proved")));
-        const double plainRow = plot->positionOf(QStringLiteral("column-scan:exact"))->y();
-        const double simdRow = plot->positionOf(QStringLiteral("column-scan:exact:fast"))->y();
+        QVERIFY(textOf("column-scan:exact").contains(u"by proof: all triangles"_s));
+        QVERIFY(textOf("column-scan:exact:fast").contains(u"tested, not proved"_s));
+        const double plainRow = plot->positionOf(u"column-scan:exact"_s)->y();
+        const double simdRow = plot->positionOf(u"column-scan:exact:fast"_s)->y();
         QVERIFY(plainRow > simdRow);
         QCOMPARE(plot->textAt({20, plainRow}), errorClassText(ErrorClass::ZeroProved));
         QCOMPARE(plot->textAt({20, simdRow}), errorClassText(ErrorClass::ZeroTested));
-        QVERIFY(textsOf(*plot).contains(QStringLiteral("0, tested")));
+        QVERIFY(textsOf(*plot).contains(u"0, tested"_s));
     }
 
     void theErrorScaleHasARowForWhatIsTested()
     {
-        const ErrorScale scale(paretoOf(*twins(), QStringLiteral("f"), wrongPixels()));
+        const ErrorScale scale(paretoOf(*twins(), u"f"_s, wrongPixels()));
 
-        QCOMPARE(scale.ticks(3)[2].label, QStringLiteral("0, tested"));
+        QCOMPARE(scale.ticks(3)[2].label, u"0, tested"_s);
         double before = ErrorScale::bottom;
         for (const ErrorClass zero :
              {ErrorClass::ZeroProved, ErrorClass::ZeroTested, ErrorClass::ZeroObserved}) {
@@ -142,23 +141,21 @@ private slots:
         results->rows[0].cost.reset();
         results->rows[1].cost.reset();
         const auto plot = shownPlot<ParetoPlot>();
-        plot->show(results, QStringLiteral("f"), wrongPixels());
+        plot->show(results, u"f"_s, wrongPixels());
         const auto at = [&plot](const char *id) { return *plot->positionOf(QLatin1String(id)); };
 
         QVERIFY(at("column-scan:float32").x() < at("column-scan:float32:fast").x());
         QCOMPARE(at("column-scan:float32").y(), at("column-scan:float32:fast").y());
-        QVERIFY(
-            plot->textAt(at("column-scan:float32")).contains(QStringLiteral("5221 of 1000000")));
+        QVERIFY(plot->textAt(at("column-scan:float32")).contains(u"5221 of 1000000"_s));
         QVERIFY(plot->textAt(at("column-scan:exact"))
-                    .contains(QStringLiteral("its time comes when all of this family are judged")));
-        QVERIFY(textsOf(*plot).contains(QStringLiteral("not timed (yet)")));
+                    .contains(u"its time comes when all of this family are judged"_s));
+        QVERIFY(textsOf(*plot).contains(u"not timed (yet)"_s));
     }
 
     void waitingDotsOfOneErrorStandSideBySide()
     {
         const auto plot = shownPlot<ParetoPlot>();
-        plot->show(madeResults({{"a", 1, 7}, {"b", 1, 7}, {"c", 1, 7}}), QStringLiteral("g"),
-                   wrongPixels());
+        plot->show(madeResults({{"a", 1, 7}, {"b", 1, 7}, {"c", 1, 7}}), u"g"_s, wrongPixels());
         const auto at = [&plot](const char *id) { return *plot->positionOf(QLatin1String(id)); };
 
         QVERIFY(at("a").x() + 10 < at("b").x());
@@ -169,8 +166,8 @@ private slots:
     void aLowChartKeepsItsHeightForTheDots()
     {
         const auto plot = paretoOfTwins({560, 120});
-        const double decades = plot->positionOf(QStringLiteral("column-scan:exact"))->y()
-            - plot->positionOf(QStringLiteral("column-scan:float32"))->y();
+        const double decades = plot->positionOf(u"column-scan:exact"_s)->y()
+            - plot->positionOf(u"column-scan:float32"_s)->y();
 
         QVERIFY2(decades > 55, qPrintable(QString::number(decades)));
     }
@@ -205,25 +202,24 @@ private slots:
     void longWordsAreBrokenAndNoneIsLost()
     {
         const QFont font = qApp->font();
-        const QString text = QStringLiteral("a few words and ") + QString(300, u'w');
+        const QString text = u"a few words and "_s + QString(300, u'w');
 
         const QStringList lines = wrappedLines(text, font, 200);
 
         for (const QString &line : lines)
             QVERIFY(QFontMetricsF(font).horizontalAdvance(line) <= 200);
         QCOMPARE(lines.join(QString()).remove(u' '), QString(text).remove(u' '));
-        QVERIFY(lines.first().endsWith(QStringLiteral("and")));
+        QVERIFY(lines.first().endsWith(u"and"_s));
     }
 
     void everyChartCarriesItsConditionsOnPaper_data()
     {
         QTest::addColumn<Chart>("chart");
         QTest::addColumn<QString>("title");
-        QTest::newRow("pareto") << Chart::Pareto << QStringLiteral("Cost against error: Family f");
+        QTest::newRow("pareto") << Chart::Pareto << u"Cost against error: Family f"_s;
         QTest::newRow("misses") << Chart::Misses
-                                << QStringLiteral(
-                                       "Distances of missed samples from the boundary: Family f; "
-                                       "column-scan:float32");
+                                << u"Distances of missed samples from the boundary: Family f; "
+                                   "column-scan:float32"_s;
     }
 
     void everyChartCarriesItsConditionsOnPaper()
@@ -237,12 +233,12 @@ private slots:
         const QImage png = QImage::fromData(plot->png(figureOrigin(study)));
 
         // As drawn: after the description, and on separate lines.
-        const QString drawn = svg.mid(svg.indexOf(QStringLiteral("</desc>")));
+        const QString drawn = svg.mid(svg.indexOf(u"</desc>"_s));
         for (const QString &part :
-             {title, QStringLiteral("a processor, 0 processors"),
-              QStringLiteral("pixelplumb-cli lab --quick --seed 1 --contender"),
-              QStringLiteral("⚠ Other programs were running when this began (load average 7.00)."),
-              QStringLiteral("⚠ This build is hardly optimised (-O0): its times say little.")})
+             {title, u"a processor, 0 processors"_s,
+              u"pixelplumb-cli lab --quick --seed 1 --contender"_s,
+              u"⚠ Other programs were running when this began (load average 7.00)."_s,
+              u"⚠ This build is hardly optimised (-O0): its times say little."_s})
             QVERIFY2(drawn.contains(part.toHtmlEscaped()), qPrintable(part));
         QVERIFY(warningsOf(study).size() >= 2);
         QVERIFY(png.width() == 1920 && png.height() >= 1280);

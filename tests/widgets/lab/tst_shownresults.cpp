@@ -50,15 +50,15 @@ private slots:
         shown.replaceBy(before);
         shown.beginRun();
 
-        QVERIFY(!shown.takeNews(madeWith(Times::None), QStringLiteral("f")));
-        QVERIFY(!shown.takeNews(timed, QStringLiteral("g"))); // it has no times for this family yet
+        QVERIFY(!shown.takeNews(madeWith(Times::None), u"f"_s));
+        QVERIFY(!shown.takeNews(timed, u"g"_s)); // it has no times for this family yet
         QCOMPARE(shown.results(), before);
         QVERIFY(!shown.areOfRun());
-        QVERIFY(shown.takeNews(timed, QStringLiteral("f")));
+        QVERIFY(shown.takeNews(timed, u"f"_s));
         QCOMPARE(shown.results(), timed);
 
         const SharedResults further = madeWith(Times::None);
-        QVERIFY(shown.takeNews(further, QStringLiteral("g")));
+        QVERIFY(shown.takeNews(further, u"g"_s));
         QCOMPARE(shown.results(), further);
     }
 
@@ -68,7 +68,7 @@ private slots:
         shown.replaceBy(madeWith(Times::OfFirstFamily));
         shown.beginRun();
 
-        QVERIFY(shown.takeNews(madeWith(Times::OfFirstFamily), QStringLiteral("mesh")));
+        QVERIFY(shown.takeNews(madeWith(Times::OfFirstFamily), u"mesh"_s));
     }
 
     void theEndShowsWhatHasTimes()
@@ -78,12 +78,12 @@ private slots:
         ShownResults shown;
         shown.replaceBy(before);
         shown.beginRun();
-        shown.takeNews(madeWith(Times::None), QStringLiteral("g"));
+        shown.takeNews(madeWith(Times::None), u"g"_s);
         QVERIFY(!shown.endRun());
         QCOMPARE(shown.results(), before);
 
         shown.beginRun();
-        shown.takeNews(timed, QStringLiteral("g"));
+        shown.takeNews(timed, u"g"_s);
         QVERIFY(shown.endRun());
         QCOMPARE(shown.results(), timed);
     }

@@ -253,7 +253,7 @@ private slots:
         const LatticePoint point = sheet.mapping.latticeAt(position);
         sheet.frame.drawHandle(point, {{255, 0, 0}}, HandleState::Idle);
         QCOMPARE(sheet.frame.plates().size(), std::size_t(1));
-        sheet.frame.drawVertexName(QStringLiteral("P0 (vertex 2)"), point, view.center());
+        sheet.frame.drawVertexName(u"P0 (vertex 2)"_s, point, view.center());
 
         QCOMPARE(sheet.frame.plates().size(), std::size_t(2));
         QVERIFY(!sheet.frame.plates()[0].intersects(sheet.frame.plates()[1]));
@@ -269,7 +269,7 @@ private slots:
                                       QPointF(-10, -90), QPointF(-90, 20)}) {
             Sheet one(sheet.mapping);
             one.frame.drawHandle(point, {{255, 0, 0}}, HandleState::Idle);
-            one.frame.drawVertexName(QStringLiteral("P1 (vertex 2)"), point, centre + inside);
+            one.frame.drawVertexName(u"P1 (vertex 2)"_s, point, centre + inside);
             const QRectF plate = one.frame.plates().back();
             QVERIFY(!one.frame.plates().front().intersects(plate));
             const QPointF nearest(std::clamp(centre.x(), plate.left(), plate.right()),
@@ -283,9 +283,9 @@ private slots:
     void aLongNoteIsBrokenIntoLinesAndTakesAFreeCorner()
     {
         Sheet sheet(ViewMapping::fitted(frameOf(40, 30), view.toRect(), 1));
-        QString words = QStringLiteral("a note of many words");
+        QString words = u"a note of many words"_s;
         while (words.size() < 400)
-            words += QStringLiteral(" and more");
+            words += u" and more"_s;
         sheet.frame.drawCornerNote(words);
         const QRectF first = sheet.frame.plates().back();
         QVERIFY(view.contains(first));
@@ -304,9 +304,9 @@ private slots:
     {
         // A tall, narrow frame in the middle.
         Sheet sheet(ViewMapping::fitted(frameOf(10, 30), view.toRect(), 1));
-        sheet.frame.drawCornerNote(QStringLiteral("a note that goes into lines beside the frame, "
-                                                  "since one line would lie across it and hide "
-                                                  "some of its cells"));
+        sheet.frame.drawCornerNote(u"a note that goes into lines beside the frame, "
+                                   "since one line would lie across it and hide "
+                                   "some of its cells"_s);
         const QRectF note = sheet.frame.plates().back();
         QVERIFY(view.contains(note));
         const QRectF cells = sheet.mapping.devicePicture();
@@ -330,15 +330,15 @@ private slots:
             put(corner);
         }
         put(within.topLeft());
-        sheet.frame.drawCornerNote(QStringLiteral("a note"));
+        sheet.frame.drawCornerNote(u"a note"_s);
         const QPointF place = sheet.frame.plates().back().center();
         QVERIFY(place.x() < view.center().x() && place.y() < view.center().y());
     }
 
     void whereACornersNoteWouldCoverAHandleItStandsElsewhereOrInShorterLines()
     {
-        const QString words = QStringLiteral("a note of many words and more and more and more and "
-                                             "more and more and more and more and more\nof two");
+        const QString words = u"a note of many words and more and more and more and "
+                              "more and more and more and more and more\nof two"_s;
         const QPointF middle = view.center();
         const QRectF within = view.adjusted(60, 20, -60, -20);
         std::vector<QPointF> handles;
@@ -363,12 +363,12 @@ private slots:
     void thePointersNoteKeepsClearOfOtherNotes()
     {
         Sheet sheet(ViewMapping::fitted(frameOf(40, 30), view.toRect(), 1));
-        sheet.frame.drawCornerNote(QStringLiteral("some\nlines\nof\na note\nthat is higher than\n"
-                                                  "what stands beside the pointer"));
+        sheet.frame.drawCornerNote(u"some\nlines\nof\na note\nthat is higher than\n"
+                                   "what stands beside the pointer"_s);
         const QRectF note = sheet.frame.plates().back();
         for (double x = view.left() + 1; x < view.right(); x += 13) {
             for (double y = view.top() + 1; y < view.bottom(); y += 13) {
-                sheet.frame.drawPointerNote(QStringLiteral("(27, 19)\ntriangle 0"), {x, y}, {});
+                sheet.frame.drawPointerNote(u"(27, 19)\ntriangle 0"_s, {x, y}, {});
                 QVERIFY(view.contains(sheet.frame.plates().back()));
                 QVERIFY(!note.intersects(sheet.frame.plates().back()));
             }
@@ -380,7 +380,7 @@ private slots:
         Sheet sheet(ViewMapping::fitted(frameOf(40, 30), view.toRect(), 1));
         const QPointF pointer = view.center();
         const auto drawn = [&](const std::vector<QRectF> &places) {
-            sheet.frame.drawPointerNote(QStringLiteral("(27, 19)\ntriangle 0"), pointer, places);
+            sheet.frame.drawPointerNote(u"(27, 19)\ntriangle 0"_s, pointer, places);
             return sheet.frame.plates().back();
         };
         const QRectF first = drawn({});
@@ -410,7 +410,7 @@ private slots:
     {
         QFETCH(QString, file);
         QFETCH(int, zoom);
-        const auto reading = readSceneFile(resource(QStringLiteral("/scenes/%1.json")).arg(file));
+        const auto reading = readSceneFile(resource(u"/scenes/%1.json"_s).arg(file));
         QVERIFY(reading);
         const auto traced = traceScene(reading->scene);
         const FrameSpec &spec = traced->scene.frame;
@@ -426,14 +426,12 @@ private slots:
             for (const Vertex &vertex : vertices)
                 inside += sheet.mapping.positionOf(vertex.position) / 3;
             for (const Vertex &vertex : vertices)
-                sheet.frame.drawVertexName(QStringLiteral("P0"), vertex.position, inside);
+                sheet.frame.drawVertexName(u"P0"_s, vertex.position, inside);
             const std::vector<QRectF> &plates = sheet.frame.plates();
             for (std::size_t i = 0; i < plates.size(); ++i) {
                 for (std::size_t j = 0; j < i; ++j)
-                    QVERIFY2(
-                        !plates[i].intersects(plates[j]),
-                        qPrintable(
-                            QStringLiteral("span %1, names %2 and %3").arg(span).arg(j).arg(i)));
+                    QVERIFY2(!plates[i].intersects(plates[j]),
+                             qPrintable(u"span %1, names %2 and %3"_s.arg(span).arg(j).arg(i)));
             }
         }
     }

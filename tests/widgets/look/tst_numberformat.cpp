@@ -24,23 +24,21 @@ private slots:
         QTest::addColumn<Quantity>("quantity");
         QTest::addColumn<QString>("expected");
         QTest::newRow("none") << Quantity() << QString();
-        QTest::newRow("zero") << Quantity::integer(0) << QStringLiteral("0");
-        QTest::newRow("integer") << Quantity::integer(-17) << QStringLiteral("−17");
-        QTest::newRow("mixed") << Quantity::rational(139, 8) << QStringLiteral("17\u20093/8");
-        QTest::newRow("negative mixed")
-            << Quantity::rational(-7, 3) << QStringLiteral("−2\u20091/3");
-        QTest::newRow("below one") << Quantity::rational(-3, 8) << QStringLiteral("−3/8");
-        QTest::newRow("six digits") << Quantity::rational(1, 999999) << QStringLiteral("1/999999");
-        QTest::newRow("seven digits")
-            << Quantity::rational(1, 1000001) << QStringLiteral("0.0000009…");
-        QTest::newRow("float") << Quantity::of(0.1F) << QStringLiteral("0.1");
-        QTest::newRow("double") << Quantity::of(-0.1) << QStringLiteral("−0.1");
-        QTest::newRow("small float") << Quantity::of(1.5e-5F) << QStringLiteral("0.000015");
-        QTest::newRow("tiny double") << Quantity::of(1.5e-12) << QStringLiteral("1.5e−12");
+        QTest::newRow("zero") << Quantity::integer(0) << u"0"_s;
+        QTest::newRow("integer") << Quantity::integer(-17) << u"−17"_s;
+        QTest::newRow("mixed") << Quantity::rational(139, 8) << u"17\u20093/8"_s;
+        QTest::newRow("negative mixed") << Quantity::rational(-7, 3) << u"−2\u20091/3"_s;
+        QTest::newRow("below one") << Quantity::rational(-3, 8) << u"−3/8"_s;
+        QTest::newRow("six digits") << Quantity::rational(1, 999999) << u"1/999999"_s;
+        QTest::newRow("seven digits") << Quantity::rational(1, 1000001) << u"0.0000009…"_s;
+        QTest::newRow("float") << Quantity::of(0.1F) << u"0.1"_s;
+        QTest::newRow("double") << Quantity::of(-0.1) << u"−0.1"_s;
+        QTest::newRow("small float") << Quantity::of(1.5e-5F) << u"0.000015"_s;
+        QTest::newRow("tiny double") << Quantity::of(1.5e-12) << u"1.5e−12"_s;
         QTest::newRow("infinite") << Quantity::of(-std::numeric_limits<double>::infinity())
-                                  << QStringLiteral("−∞");
+                                  << u"−∞"_s;
         QTest::newRow("not a number")
-            << Quantity::of(std::numeric_limits<float>::quiet_NaN()) << QStringLiteral("NaN");
+            << Quantity::of(std::numeric_limits<float>::quiet_NaN()) << u"NaN"_s;
     }
     void writesNumbersForTheEye()
     {
@@ -54,12 +52,12 @@ private slots:
         QTest::addColumn<Arithmetic>("arithmetic");
         QTest::addColumn<QString>("expected");
         const Quantity third = Quantity::of(FixedPoint16::fromRaw(21845));
-        QTest::newRow("16.16") << third << Arithmetic::Fixed16 << QStringLiteral("0.333328…");
-        QTest::newRow("32.32") << third << Arithmetic::Fixed32 << QStringLiteral("0.33332824707…");
+        QTest::newRow("16.16") << third << Arithmetic::Fixed16 << u"0.333328…"_s;
+        QTest::newRow("32.32") << third << Arithmetic::Fixed32 << u"0.33332824707…"_s;
         QTest::newRow("exact keeps fractions")
-            << Quantity::rational(1, 3) << Arithmetic::Exact << QStringLiteral("1/3");
-        QTest::newRow("integers stay integers") << Quantity::of(FixedPoint16::fromInteger(7))
-                                                << Arithmetic::Fixed16 << QStringLiteral("7");
+            << Quantity::rational(1, 3) << Arithmetic::Exact << u"1/3"_s;
+        QTest::newRow("integers stay integers")
+            << Quantity::of(FixedPoint16::fromInteger(7)) << Arithmetic::Fixed16 << u"7"_s;
     }
     void fixedPointIsShownInDecimals()
     {
@@ -73,31 +71,26 @@ private slots:
         QTest::addColumn<Quantity>("quantity");
         QTest::addColumn<int>("places");
         QTest::addColumn<QString>("expected");
-        QTest::newRow("terminating")
-            << Quantity::rational(139, 8) << 6 << QStringLiteral("17.375000");
-        QTest::newRow("two thirds") << Quantity::rational(2, 3) << 6 << QStringLiteral("0.666666…");
-        QTest::newRow("negative") << Quantity::rational(-7, 3) << 2 << QStringLiteral("−2.33…");
+        QTest::newRow("terminating") << Quantity::rational(139, 8) << 6 << u"17.375000"_s;
+        QTest::newRow("two thirds") << Quantity::rational(2, 3) << 6 << u"0.666666…"_s;
+        QTest::newRow("negative") << Quantity::rational(-7, 3) << 2 << u"−2.33…"_s;
         QTest::newRow("beyond a double")
-            << Quantity::rational(1, 7) << 24 << QStringLiteral("0.142857142857142857142857…");
-        QTest::newRow("integer") << Quantity::integer(3) << 2 << QStringLiteral("3.00");
-        QTest::newRow("float") << Quantity::of(0.5F) << 3 << QStringLiteral("0.500");
+            << Quantity::rational(1, 7) << 24 << u"0.142857142857142857142857…"_s;
+        QTest::newRow("integer") << Quantity::integer(3) << 2 << u"3.00"_s;
+        QTest::newRow("float") << Quantity::of(0.5F) << 3 << u"0.500"_s;
         // A double shows its shortest decimal; if that has more places, it is cut as in sentences.
-        QTest::newRow("double") << Quantity::of(0.3) << 6 << QStringLiteral("0.300000");
-        QTest::newRow("double of many digits")
-            << Quantity::of(8.0 / 3) << 6 << QStringLiteral("2.666666…");
-        QTest::newRow("little below 0")
-            << Quantity::rational(-1, 2097152) << 6 << QStringLiteral("−0.0000004…");
+        QTest::newRow("double") << Quantity::of(0.3) << 6 << u"0.300000"_s;
+        QTest::newRow("double of many digits") << Quantity::of(8.0 / 3) << 6 << u"2.666666…"_s;
+        QTest::newRow("little below 0") << Quantity::rational(-1, 2097152) << 6 << u"−0.0000004…"_s;
         // Numbers whose ceiling or floor must be credible from the digits.
-        QTest::newRow("just above 12")
-            << Quantity::of(12 + 0x1p-40) << 4 << QStringLiteral("12.0000000000009…");
-        QTest::newRow("just below 12")
-            << Quantity::of(12 - 0x1p-40) << 4 << QStringLiteral("11.9999…");
+        QTest::newRow("just above 12") << Quantity::of(12 + 0x1p-40) << 4 << u"12.0000000000009…"_s;
+        QTest::newRow("just below 12") << Quantity::of(12 - 0x1p-40) << 4 << u"11.9999…"_s;
         QTest::newRow("just below −12")
-            << Quantity::of(-12 - 0x1p-40) << 4 << QStringLiteral("−12.0000000000009…");
+            << Quantity::of(-12 - 0x1p-40) << 4 << u"−12.0000000000009…"_s;
         QTest::newRow("a fraction above 12")
             << Quantity::rational(12 * (Int128(1) << 40) + 1, Int128(1) << 40) << 6
-            << QStringLiteral("12.0000000000009…");
-        QTest::newRow("whole") << Quantity::of(12.0) << 4 << QStringLiteral("12.0000");
+            << u"12.0000000000009…"_s;
+        QTest::newRow("whole") << Quantity::of(12.0) << 4 << u"12.0000"_s;
     }
     void decimalsAreDigitsOfTheNumberAndNotRounded()
     {
@@ -110,12 +103,12 @@ private slots:
     {
         QTest::addColumn<Quantity>("quantity");
         QTest::addColumn<QString>("expected");
-        QTest::newRow("above") << Quantity::of(12 + 0x1p-49) << QStringLiteral("12 + 2e−15");
-        QTest::newRow("below zero") << Quantity::of(-12 - 0x1p-40) << QStringLiteral("−12 − 9e−13");
-        QTest::newRow("not near") << Quantity::of(12.34567) << QStringLiteral("12.3456…");
-        QTest::newRow("below") << Quantity::of(12 - 0x1p-40) << QStringLiteral("11.9999…");
-        QTest::newRow("a fraction") << Quantity::rational(37, 3) << QStringLiteral("12.3333…");
-        QTest::newRow("whole") << Quantity::of(12.0) << QStringLiteral("12.0000");
+        QTest::newRow("above") << Quantity::of(12 + 0x1p-49) << u"12 + 2e−15"_s;
+        QTest::newRow("below zero") << Quantity::of(-12 - 0x1p-40) << u"−12 − 9e−13"_s;
+        QTest::newRow("not near") << Quantity::of(12.34567) << u"12.3456…"_s;
+        QTest::newRow("below") << Quantity::of(12 - 0x1p-40) << u"11.9999…"_s;
+        QTest::newRow("a fraction") << Quantity::rational(37, 3) << u"12.3333…"_s;
+        QTest::newRow("whole") << Quantity::of(12.0) << u"12.0000"_s;
     }
     void aDecimalInLittleRoomTellsHowFarFromAWholeNumberItIs()
     {
@@ -133,15 +126,15 @@ private slots:
         QTest::newRow("integer") << Quantity::integer(255) << Arithmetic::Exact << QString();
         QTest::newRow("float") << Quantity::of(0.1F) << Arithmetic::Float32 << QString();
         QTest::newRow("eighths") << Quantity::rational(255, 8) << Arithmetic::Exact
-                                 << QStringLiteral("= 31.875");
+                                 << u"= 31.875"_s;
         QTest::newRow("negative half")
-            << Quantity::rational(-1, 2) << Arithmetic::Exact << QStringLiteral("= −0.5");
+            << Quantity::rational(-1, 2) << Arithmetic::Exact << u"= −0.5"_s;
         QTest::newRow("six places")
-            << Quantity::rational(1, 64) << Arithmetic::Exact << QStringLiteral("= 0.015625");
+            << Quantity::rational(1, 64) << Arithmetic::Exact << u"= 0.015625"_s;
         QTest::newRow("seven places")
-            << Quantity::rational(1, 128) << Arithmetic::Exact << QStringLiteral("≈ 0.007812…");
+            << Quantity::rational(1, 128) << Arithmetic::Exact << u"≈ 0.007812…"_s;
         QTest::newRow("thirds") << Quantity::rational(17, 3) << Arithmetic::Exact
-                                << QStringLiteral("≈ 5.666666…");
+                                << u"≈ 5.666666…"_s;
         QTest::newRow("decimals already")
             << Quantity::rational(1, 1'000'003) << Arithmetic::Exact << QString();
         QTest::newRow("fixed point")
@@ -156,7 +149,7 @@ private slots:
 
     void toolTipsSetTheSubscriptsOfEveryNumber()
     {
-        static const QRegularExpression lowered(QStringLiteral("_[\\p{L}\\p{N}]+"));
+        static const QRegularExpression lowered(u"_[\\p{L}\\p{N}]+"_s);
         int subscripts = 0;
         for (const Method &method : methods()) {
             for (const auto &numbers :
@@ -165,7 +158,7 @@ private slots:
                     const QString written = number.toolTip + number.formula;
                     const QString shown = numberToolTip(number);
                     QVERIFY2(!shown.contains(lowered), qPrintable(shown));
-                    QCOMPARE(shown.count(QStringLiteral("<sub>")), written.count(lowered));
+                    QCOMPARE(shown.count(u"<sub>"_s), written.count(lowered));
                     subscripts += int(written.count(lowered));
                 }
             }
@@ -178,16 +171,12 @@ private slots:
         QTest::addColumn<Quantity>("used");
         QTest::addColumn<Quantity>("exact");
         QTest::addColumn<QString>("expected");
-        QTest::newRow("equal") << Quantity::of(0.5) << Quantity::rational(1, 2)
-                               << QStringLiteral("0");
-        QTest::newRow("above") << Quantity::of(0.75) << Quantity::rational(1, 2)
-                               << QStringLiteral("+2.5e−01");
-        QTest::newRow("below") << Quantity::of(0.25F) << Quantity::rational(1, 2)
-                               << QStringLiteral("−2.5e−01");
-        QTest::newRow("a row too many")
-            << Quantity::integer(7) << Quantity::integer(6) << QStringLiteral("+1");
+        QTest::newRow("equal") << Quantity::of(0.5) << Quantity::rational(1, 2) << u"0"_s;
+        QTest::newRow("above") << Quantity::of(0.75) << Quantity::rational(1, 2) << u"+2.5e−01"_s;
+        QTest::newRow("below") << Quantity::of(0.25F) << Quantity::rational(1, 2) << u"−2.5e−01"_s;
+        QTest::newRow("a row too many") << Quantity::integer(7) << Quantity::integer(6) << u"+1"_s;
         QTest::newRow("two rows too few")
-            << Quantity::integer(4) << Quantity::integer(6) << QStringLiteral("−2");
+            << Quantity::integer(4) << Quantity::integer(6) << u"−2"_s;
         QTest::newRow("nothing to compare") << Quantity::of(0.5) << Quantity() << QString();
     }
     void errorsCarryTheirSign()
@@ -247,11 +236,9 @@ private slots:
     {
         QTest::addColumn<QString>("text");
         QTest::addColumn<QString>("expected");
-        QTest::newRow("letter") << QStringLiteral("⌈y_B⌉") << QStringLiteral("⌈y<sub>B</sub>⌉");
-        QTest::newRow("word") << QStringLiteral("x − x_start")
-                              << QStringLiteral("x − x<sub>start</sub>");
-        QTest::newRow("nothing to lower")
-            << QStringLiteral("a_ < b") << QStringLiteral("a_ &lt; b");
+        QTest::newRow("letter") << u"⌈y_B⌉"_s << u"⌈y<sub>B</sub>⌉"_s;
+        QTest::newRow("word") << u"x − x_start"_s << u"x − x<sub>start</sub>"_s;
+        QTest::newRow("nothing to lower") << u"a_ < b"_s << u"a_ &lt; b"_s;
     }
     void lowersWhatFollowsAnUnderscore()
     {

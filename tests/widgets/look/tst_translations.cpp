@@ -26,18 +26,18 @@ using namespace pixelplumb;
 
 namespace {
 
-const QString sources = resource(QStringLiteral("/.."));
-const QString english = QStringLiteral("pixelplumb_en.ts");
+const QString sources = resource(u"/.."_s);
+const QString english = u"pixelplumb_en.ts"_s;
 
 /// The command that updates the files from the sources.
-const QString mending = QStringLiteral("cmake --build build/release --target translations");
+const QString mending = u"cmake --build build/release --target translations"_s;
 
 /// The texts that lupdate finds in the sources, as an untranslated file has them: all texts or, as
 /// for English, only those that depend on a number.
 QList<TranslatedText> textsInTheSources(const QStringList &options = {})
 {
     const QTemporaryDir folder;
-    const QString file = folder.filePath(QStringLiteral("found.ts"));
+    const QString file = folder.filePath(u"found.ts"_s);
     QProcess lupdate;
     lupdate.setWorkingDirectory(sources);
     lupdate.start(QStringLiteral(PIXELPLUMB_LUPDATE),
@@ -81,15 +81,9 @@ QStringList matchesIn(const QString &text, const QString &pattern)
 }
 
 /// The placeholders for later arguments; %n may be a word in the singular: "once".
-QStringList placeholdersIn(const QString &text)
-{
-    return matchesIn(text, QStringLiteral("%(L?[1-9]|[vm])"));
-}
+QStringList placeholdersIn(const QString &text) { return matchesIn(text, u"%(L?[1-9]|[vm])"_s); }
 
-QStringList tagsIn(const QString &text)
-{
-    return matchesIn(text, QStringLiteral("</?[a-z][^>]*>"));
-}
+QStringList tagsIn(const QString &text) { return matchesIn(text, u"</?[a-z][^>]*>"_s); }
 
 bool hasMnemonic(const QString &text) { return !matchesIn(text, "&\\w").isEmpty(); }
 
@@ -108,17 +102,17 @@ QString edgesOf(const QString &text)
 QString faultOf(const TranslatedText &text, const QString &form)
 {
     if (form.isEmpty())
-        return QStringLiteral("is empty");
+        return u"is empty"_s;
     if (placeholdersIn(form) != placeholdersIn(text.source))
-        return QStringLiteral("has other placeholders");
+        return u"has other placeholders"_s;
     if (tagsIn(form) != tagsIn(text.source))
-        return QStringLiteral("has other tags");
+        return u"has other tags"_s;
     if (edgesOf(form) != edgesOf(text.source))
-        return QStringLiteral("begins or ends otherwise");
+        return u"begins or ends otherwise"_s;
     if (form.count(u'\n') != text.source.count(u'\n'))
-        return QStringLiteral("has other lines");
+        return u"has other lines"_s;
     if (hasMnemonic(form) != hasMnemonic(text.source))
-        return QStringLiteral("has a mnemonic alone, or none");
+        return u"has a mnemonic alone, or none"_s;
     return {};
 }
 
@@ -246,11 +240,11 @@ private slots:
     {
         const Translation german({"de"});
 
-        QCOMPARE(coreWord(QStringLiteral("triangle")), "Dreieck");
-        QCOMPARE(coreWord(QStringLiteral("Column −3, second half")), "Spalte −3, zweite Hälfte");
+        QCOMPARE(coreWord(u"triangle"_s), "Dreieck");
+        QCOMPARE(coreWord(u"Column −3, second half"_s), "Spalte −3, zweite Hälfte");
         QCOMPARE(coreWords("plain kernel 3.02 ns a pixel · about 9 s", " · "),
                  "einfach 3.02 ns je Pixel · etwa 9 s");
-        QCOMPARE(coreWord(QStringLiteral("of no 12 translation")), "of no 12 translation");
+        QCOMPARE(coreWord(u"of no 12 translation"_s), "of no 12 translation");
     }
 
     void everyNameOfCoreThatTheWindowShowsIsInTheFiles_data() { addFiles(); }
@@ -261,7 +255,7 @@ private slots:
             return;
         QSet<QString> known;
         for (const TranslatedText &text : textsOf(file)) {
-            if (text.context == QStringLiteral("core"))
+            if (text.context == u"core"_s)
                 known += text.source;
         }
 
@@ -277,7 +271,7 @@ private slots:
             return;
         QSet<QString> known;
         for (const TranslatedText &text : textsOf(file)) {
-            if (text.context == QStringLiteral("core"))
+            if (text.context == u"core"_s)
                 known += text.source;
         }
         const Translation translation({QFileInfo(file).baseName().section(u'_', 1)});

@@ -42,15 +42,15 @@ class TestTypesetting : public QObject {
 private slots:
     void aMixedNumberStaysOnOneLine()
     {
-        const QString html = typesetHtml(
-            QStringLiteral("y_B = 17 3/8 and y_T = 26 11/54 cover the rows 18 to 26."));
+        const QString html
+            = typesetHtml(u"y_B = 17 3/8 and y_T = 26 11/54 cover the rows 18 to 26."_s);
         bool broke = false;
         for (int width = 120; width < 600; width += 3) {
             const QStringList lines = linesOf(html, width);
             broke = broke || lines.size() > 2;
             for (const QString &line : lines) {
-                QVERIFY2(!line.startsWith(QStringLiteral("3/8")), qPrintable(line));
-                QVERIFY2(!line.startsWith(QStringLiteral("11/54")), qPrintable(line));
+                QVERIFY2(!line.startsWith(u"3/8"_s), qPrintable(line));
+                QVERIFY2(!line.startsWith(u"11/54"_s), qPrintable(line));
             }
         }
         QVERIFY(broke);
@@ -58,10 +58,10 @@ private slots:
 
     void anExponentIsNotLoweredWithAnIndex()
     {
-        QCOMPARE(SymbolText(QStringLiteral("h = ⌊256·√(r_x² − d²)⌋/256")).html(),
-                 QStringLiteral("h = ⌊256·√(r<sub>x</sub>² − d²)⌋/256"));
-        QCOMPARE(SymbolText(QStringLiteral("2⁻²·x_start³ + y_B2")).html(),
-                 QStringLiteral("2⁻²·x<sub>start</sub>³ + y<sub>B2</sub>"));
+        QCOMPARE(SymbolText(u"h = ⌊256·√(r_x² − d²)⌋/256"_s).html(),
+                 u"h = ⌊256·√(r<sub>x</sub>² − d²)⌋/256"_s);
+        QCOMPARE(SymbolText(u"2⁻²·x_start³ + y_B2"_s).html(),
+                 u"2⁻²·x<sub>start</sub>³ + y<sub>B2</sub>"_s);
     }
 
     void aSwitchHasAFrameAndIsFilledWhereItIsOn_data()
@@ -75,7 +75,7 @@ private slots:
         QFETCH(PaletteChoice, choice);
         applyAppearance(choice);
         QToolButton button;
-        button.setText(QStringLiteral("truth"));
+        button.setText(u"truth"_s);
         button.setCheckable(true);
         button.setAutoRaise(true);
         button.resize(button.sizeHint());
@@ -101,22 +101,21 @@ private slots:
     void anExactNumberTakesALineOnlyWhereItDiffers()
     {
         Explanation explanation;
-        explanation.lines
-            = {{NumberSubject::General, QStringLiteral("y_B ← y_B′ + m"),
-                QStringLiteral("7.5 + 0.125"), Quantity::of(7.625f), Quantity::rational(61, 8)}};
+        explanation.lines = {{NumberSubject::General, u"y_B ← y_B′ + m"_s, u"7.5 + 0.125"_s,
+                              Quantity::of(7.625f), Quantity::rational(61, 8)}};
         const QString same = formulaHtml(explanation, Arithmetic::Float32, QPalette());
-        QVERIFY(same.contains(QStringLiteral("exact")));
-        QVERIFY(!same.contains(QStringLiteral("error")));
+        QVERIFY(same.contains(u"exact"_s));
+        QVERIFY(!same.contains(u"error"_s));
         explanation.lines[0].exact = Quantity::rational(611, 80);
         const QString other = formulaHtml(explanation, Arithmetic::Float32, QPalette());
-        QVERIFY(other.contains(QStringLiteral("error")));
-        QVERIFY(other.count(QStringLiteral("<tr>")) == same.count(QStringLiteral("<tr>")) + 1);
+        QVERIFY(other.contains(u"error"_s));
+        QVERIFY(other.count(u"<tr>"_s) == same.count(u"<tr>"_s) + 1);
     }
 
     void aTextThatIsCutLosesItsMiddle()
     {
         ElidingBox box;
-        box.addItem(QStringLiteral("Edge equations, relative to a vertex"));
+        box.addItem(u"Edge equations, relative to a vertex"_s);
         box.resize(box.sizeHint());
         QCOMPARE(box.shownText(), box.currentText());
 
@@ -133,7 +132,7 @@ private slots:
         QStringList shown;
         for (const FillRule rule : allFillRules) {
             ElidingBox box;
-            box.setToolTip(QStringLiteral("Fill rule"));
+            box.setToolTip(u"Fill rule"_s);
             box.addItem(nameText(nameOf(rule)));
             box.resize(51, box.sizeHint().height()); // as in Compare at 1024 px
             QVERIFY2(!box.shownText().contains(u'…'), qPrintable(box.shownText()));
@@ -144,7 +143,7 @@ private slots:
                 continue;
             QHelpEvent help(QEvent::ToolTip, box.rect().center(), QPoint());
             QCoreApplication::sendEvent(&box, &help);
-            QCOMPARE(QToolTip::text(), QStringLiteral("Fill rule: ") + box.currentText());
+            QCOMPARE(QToolTip::text(), u"Fill rule: "_s + box.currentText());
         }
         QCOMPARE(shown.removeDuplicates(), 0);
     }

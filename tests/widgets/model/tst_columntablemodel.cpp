@@ -55,13 +55,13 @@ private slots:
             return model.index(1, columnNamed(model, name)).data().toString();
         };
 
-        QCOMPARE(text("x"), QStringLiteral("5"));
-        QCOMPARE(text("half"), QStringLiteral("1"));
-        QCOMPARE(text("y_B"), QStringLiteral("5\u20097/54"));
-        QCOMPARE(text("y_T"), QStringLiteral("6\u200911/15"));
-        QCOMPARE(text("first_row"), QStringLiteral("6"));
-        QCOMPARE(text("last_row"), QStringLiteral("6"));
-        QCOMPARE(text("R_B"), QStringLiteral("250\u20095/18")); // 255 − 255/54
+        QCOMPARE(text("x"), u"5"_s);
+        QCOMPARE(text("half"), u"1"_s);
+        QCOMPARE(text("y_B"), u"5\u20097/54"_s);
+        QCOMPARE(text("y_T"), u"6\u200911/15"_s);
+        QCOMPARE(text("first_row"), u"6"_s);
+        QCOMPARE(text("last_row"), u"6"_s);
+        QCOMPARE(text("R_B"), u"250\u20095/18"_s); // 255 − 255/54
     }
 
     void exactArithmeticHasNoColumnsForExactAndError()
@@ -124,7 +124,7 @@ private slots:
         QVERIFY(mark(22) == RowMark::None);
         QVERIFY(mark(23) == RowMark::PartBegins);
         QVERIFY(mark(55) == RowMark::PrimitiveBegins);
-        QCOMPARE(model.headerData(55, Qt::Vertical).toString(), QStringLiteral("△ 1"));
+        QCOMPARE(model.headerData(55, Qt::Vertical).toString(), u"△ 1"_s);
     }
 
     void knowsTheCurrentRowAndTheRowsAhead()

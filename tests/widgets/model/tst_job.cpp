@@ -174,11 +174,10 @@ private slots:
             --underWay;
             return 1;
         };
-        QCOMPARE(measuringNote(), QStringLiteral("Measuring …"));
+        QCOMPARE(measuringNote(), u"Measuring …"_s);
         first.start(work, [&taken](int) { taken += "first"; });
         second.start(work, [&taken](int) { taken += "second"; });
-        QTRY_COMPARE_WITH_TIMEOUT(measuringNote(),
-                                  QStringLiteral("Waiting for another measurement …"), timeout);
+        QTRY_COMPARE_WITH_TIMEOUT(measuringNote(), u"Waiting for another measurement …"_s, timeout);
         QTest::qWait(50);
         QCOMPARE(int(underWay), 1);
         gate.open();

@@ -160,7 +160,7 @@ private slots:
             QVERIFY(reused.draw(shared(scene), always));
             QVERIFY(fresh.draw(shared(scene), always));
             QVERIFY2(reused.drawn().copy() == fresh.drawn().copy(),
-                     qPrintable(QStringLiteral("seed %1").arg(seed)));
+                     qPrintable(u"seed %1"_s.arg(seed)));
             QCOMPARE(rasterOf(reused.differences(), scene.frame),
                      rasterOf(fresh.differences(), scene.frame));
         }
@@ -192,7 +192,7 @@ private slots:
             ScenePicture fresh(scene.frame);
             QVERIFY(dragged.draw(shared(scene), always));
             QVERIFY(fresh.draw(shared(scene), always));
-            const QByteArray when = QStringLiteral("move %1").arg(move).toUtf8();
+            const QByteArray when = u"move %1"_s.arg(move).toUtf8();
             QVERIFY2(dragged.drawn().copy() == fresh.drawn().copy(), when);
             QVERIFY2(dragged.exactTwin()->copy() == fresh.exactTwin()->copy(), when);
             QCOMPARE(rasterOf(dragged.differences(), scene.frame),

@@ -21,8 +21,8 @@ using namespace std::chrono_literals;
 MotionPanel::MotionPanel(SceneDocument *document, QWidget *parent)
     : StudyPanel("motion", tr("Motion"), parent)
     , m_document(document)
-    , m_x(named(new QLineEdit(QStringLiteral("4"), this), "motionX", tr("Motion along x, px")))
-    , m_y(named(new QLineEdit(QStringLiteral("2"), this), "motionY", tr("Motion along y, px")))
+    , m_x(named(new QLineEdit(u"4"_s, this), "motionX", tr("Motion along x, px")))
+    , m_y(named(new QLineEdit(u"2"_s, this), "motionY", tr("Motion along y, px")))
     , m_frames(named(new QSpinBox(this), "motionFrames", tr("Frames")))
     , m_move(named(new QPushButton(tr("Move"), this), "motionSet", tr("Let the scene move")))
     , m_stop(named(new QPushButton(tr("Stand still"), this), "motionEnd",

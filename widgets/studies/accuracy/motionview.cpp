@@ -55,7 +55,7 @@ void MotionView::setPicture(const MotionPicture &picture)
 {
     m_picture = picture;
     setAccessibleDescription(
-        tr("%n pixels came or went", nullptr, int(picture.toggled.size())) + QStringLiteral(", ")
+        tr("%n pixels came or went", nullptr, int(picture.toggled.size())) + u", "_s
         + tr("%n pixels of the truth are missing", nullptr, int(picture.missing.size())));
     update();
 }

@@ -25,7 +25,7 @@ PrecisionPanel::PrecisionPanel(Playhead *playhead, QWidget *parent)
         if (arithmetic == Arithmetic::Exact)
             continue;
         auto *button = new QToolButton(this);
-        button->setObjectName(QStringLiteral("precision_") + QString::fromUtf8(nameOf(arithmetic)));
+        button->setObjectName(u"precision_"_s + QString::fromUtf8(nameOf(arithmetic)));
         button->setText(QString::fromUtf8(nameOf(arithmetic)));
         button->setAccessibleName(tr("Show %1").arg(QString::fromUtf8(nameOf(arithmetic))));
         button->setToolTip(
@@ -136,8 +136,7 @@ QString PrecisionPanel::summary() const
         }
         parts.append(part);
     }
-    return tr("Triangle %1. ").arg(m_triangle) + parts.join(QStringLiteral("; "))
-        + QLatin1Char('.');
+    return tr("Triangle %1. ").arg(m_triangle) + parts.join(u"; "_s) + QLatin1Char('.');
 }
 
 void PrecisionPanel::followPosition()

@@ -221,8 +221,7 @@ void PrecisionPlot::addFirstWrong(const BoundErrors &errors)
     mark->setData({double(wrong.place.coordinate)}, {m_scale.toAxis(valueOf(wrong, m_bound))},
                   true);
     auto *label = new QCPItemText(m_plot);
-    label->setText(signGlyph(Sign::FirstDifference)
-                   + QStringLiteral(" %1").arg(wrong.place.coordinate));
+    label->setText(signGlyph(Sign::FirstDifference) + u" %1"_s.arg(wrong.place.coordinate));
     label->setFont(font());
     label->setColor(colour);
     label->setPadding(QMargins(12, 0, 12, 0));

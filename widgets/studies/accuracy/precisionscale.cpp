@@ -6,10 +6,12 @@
 
 namespace pixelplumb {
 
+using namespace Qt::StringLiterals;
+
 QString powerOfTenText(int exponent)
 {
-    static const QString digits = QStringLiteral("⁰¹²³⁴⁵⁶⁷⁸⁹");
-    QString text = QStringLiteral("10");
+    static const QString digits = u"⁰¹²³⁴⁵⁶⁷⁸⁹"_s;
+    QString text = u"10"_s;
     for (const QChar figure : QString::number(exponent))
         text += figure == u'-' ? QChar(0x207b) : digits[figure.digitValue()];
     return text;
@@ -34,7 +36,7 @@ std::vector<PrecisionScale::Tick> PrecisionScale::ticks(int perSide) const
 {
     const int decades = m_largest - m_least;
     const int stride = std::max(1, (decades + perSide - 1) / perSide);
-    std::vector<Tick> ticks = {{0, QStringLiteral("0")}};
+    std::vector<Tick> ticks = {{0, u"0"_s}};
     // The last tick keeps its distance from 0.
     for (int exponent = m_largest; 1 + exponent - m_least >= stride; exponent -= stride) {
         const QString label = powerOfTenText(exponent);

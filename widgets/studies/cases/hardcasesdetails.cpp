@@ -127,12 +127,11 @@ void HardCasesDetails::show(const GalleryCase &chosen, const Method &method,
     QStringList words = {tr("<b>Stresses:</b> %1.").arg(chosen.hardCase.stresses.toHtmlEscaped()),
                          tr("<b>Why:</b> %1").arg(chosen.why.toHtmlEscaped())};
     if (!chosen.failsIn.isEmpty())
-        words.append(tr("<b>Seen to fail:</b> %1.")
-                         .arg(chosen.failsIn.join(QStringLiteral("; ")).toHtmlEscaped()));
+        words.append(
+            tr("<b>Seen to fail:</b> %1.").arg(chosen.failsIn.join(u"; "_s).toHtmlEscaped()));
     if (!chosen.note.isEmpty())
         words.append(tr("<b>Note:</b> %1.").arg(chosen.note.toHtmlEscaped()));
-    m_words->setText(QStringLiteral("<p>") + words.join(QStringLiteral("</p><p>"))
-                     + QStringLiteral("</p>"));
+    m_words->setText(u"<p>"_s + words.join(u"</p><p>"_s) + u"</p>"_s);
     showPicture();
     if (isOther) {
         m_isCancelled = false;

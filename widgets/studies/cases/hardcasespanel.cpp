@@ -30,7 +30,7 @@ HardCasesPanel::HardCasesPanel(Playhead *playhead, QWidget *parent)
     , m_playhead(playhead)
     , m_method(&methods().front())
 {
-    setObjectName(QStringLiteral("hardCases"));
+    setObjectName(u"hardCases"_s);
     m_tree = named(new QTreeWidget(this), "hardCasesTree", tr("Hard cases by family"));
     m_tree->setHeaderLabels({tr("current method | truth"), tr("case")});
     m_tree->setIconSize(thumbSize);
@@ -76,7 +76,7 @@ void HardCasesPanel::readCases()
 {
     for (const char *name :
          {"hard_cases.json", "more_cases.json", "shape_cases.json", "effect_cases.json"}) {
-        QFile file(QStringLiteral(":/cases/") + QLatin1String(name));
+        QFile file(u":/cases/"_s + QLatin1String(name));
         if (!file.open(QIODevice::ReadOnly)) {
             m_details->tell(tr("The file of hard cases %1 is not part of this program.")
                                 .arg(QLatin1String(name)));

@@ -79,8 +79,7 @@ struct Cell {
         passed += verdict.outcome == CaseOutcome::Passed ? 1 : 0;
         fellShort += verdict.outcome == CaseOutcome::FellShort ? 1 : 0;
         if (verdict.outcome == CaseOutcome::FellShort)
-            remarks.append(verdict.contender.name() + QStringLiteral(": ")
-                           + verdict.remarks.join(QStringLiteral("; ")));
+            remarks.append(verdict.contender.name() + u": "_s + verdict.remarks.join(u"; "_s));
     }
     QString toolTip() const
     {
@@ -93,8 +92,8 @@ struct Cell {
     QString text() const
     {
         if (passed + fellShort == 0)
-            return QStringLiteral("·");
-        return fellShort == 0 ? QStringLiteral("✓") : QStringLiteral("✗");
+            return u"·"_s;
+        return fellShort == 0 ? u"✓"_s : u"✗"_s;
     }
 };
 
@@ -109,7 +108,7 @@ QString HardCasePicture::verdict() const
         parts.append(CaseVerdict::tr("%1 extra").arg(extra));
     if (otherColour > 0)
         parts.append(CaseVerdict::tr("%1 in another colour").arg(otherColour));
-    return parts.isEmpty() ? CaseVerdict::tr("correct") : parts.join(QStringLiteral(", "));
+    return parts.isEmpty() ? CaseVerdict::tr("correct") : parts.join(u", "_s);
 }
 
 HardCasePicture pictureOf(const HardCase &hardCase, const Method &method,

@@ -56,9 +56,9 @@ ComparePane::ComparePane(int number, CompareLink *link, Playhead *playhead, QWid
     , m_number(number)
     , m_playhead(playhead)
 {
-    m_method = addBox(QStringLiteral("Method"), tr("Method of pane %1").arg(number));
-    m_arithmetic = addBox(QStringLiteral("Arithmetic"), tr("Arithmetic of pane %1").arg(number));
-    m_fillRule = addBox(QStringLiteral("FillRule"), tr("Fill rule of pane %1").arg(number));
+    m_method = addBox(u"Method"_s, tr("Method of pane %1").arg(number));
+    m_arithmetic = addBox(u"Arithmetic"_s, tr("Arithmetic of pane %1").arg(number));
+    m_fillRule = addBox(u"FillRule"_s, tr("Fill rule of pane %1").arg(number));
     m_method->addItem(tr("Truth"), QString());
     for (const Method &method : methods())
         m_method->addItem(methodTitle(method), method.id);
@@ -66,7 +66,7 @@ ComparePane::ComparePane(int number, CompareLink *link, Playhead *playhead, QWid
     m_result = new QLabel(this);
     m_result->setWordWrap(true);
     m_view = new View(link, playhead, this);
-    m_view->setObjectName(QStringLiteral("compareView%1").arg(number));
+    m_view->setObjectName(u"compareView%1"_s.arg(number));
     m_view->setAccessibleName(tr("Picture of pane %1").arg(number));
 
     auto *first = new QHBoxLayout;
@@ -96,7 +96,7 @@ ComparePane::ComparePane(int number, CompareLink *link, Playhead *playhead, QWid
 QComboBox *ComparePane::addBox(const QString &name, const QString &label)
 {
     auto *box = new ElidingBox(this);
-    box->setObjectName(QStringLiteral("compare%1%2").arg(name, QString::number(m_number)));
+    box->setObjectName(u"compare%1%2"_s.arg(name, QString::number(m_number)));
     box->setAccessibleName(label);
     box->setToolTip(label);
     box->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
@@ -183,7 +183,7 @@ void ComparePane::show(const std::shared_ptr<const Contest> &contest, std::size_
 /// Whether the longest names of an arithmetic and of a fill rule do not fit side by side.
 bool ComparePane::isNarrow() const
 {
-    const int names = fontMetrics().horizontalAdvance(QStringLiteral("fixed16.16half-open-column"));
+    const int names = fontMetrics().horizontalAdvance(u"fixed16.16half-open-column"_s);
     return width() < names + 2 * leastBoxWidth;
 }
 
@@ -228,7 +228,7 @@ void ComparePane::clear(const QString &message)
 
 void ComparePane::showCost(const SceneCost &cost)
 {
-    const QString separator = QStringLiteral(" · ");
+    const QString separator = u" · "_s;
     m_figures = separator + coreWord(cost.text());
     m_details = coreWords(cost.details(), separator);
     tellResult();

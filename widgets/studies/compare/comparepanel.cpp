@@ -36,8 +36,7 @@ ComparePanel::ComparePanel(Playhead *playhead, QWidget *parent)
     map->addWidget(m_agreement, 1);
     map->addWidget(m_legend);
     m_row->addLayout(map, 1);
-    m_reason = new ScrolledLabel(QStringLiteral("compareReason"),
-                                 tr("Why the picked pixel differs"), this);
+    m_reason = new ScrolledLabel(u"compareReason"_s, tr("Why the picked pixel differs"), this);
     layout->addWidget(m_reason);
 
     connect(playhead, &Playhead::tracedChanged, this, &ComparePanel::compareAnew);
@@ -49,12 +48,11 @@ ComparePanel::ComparePanel(Playhead *playhead, QWidget *parent)
 
 void ComparePanel::addControls(QBoxLayout *layout)
 {
-    m_fewer = namedButton("compareFewer", QStringLiteral("−"), tr("Take the last pane away"), this);
-    m_more = namedButton("compareMore", QStringLiteral("+"), tr("Add a pane, four at most"), this);
+    m_fewer = namedButton("compareFewer", u"−"_s, tr("Take the last pane away"), this);
+    m_more = namedButton("compareMore", u"+"_s, tr("Add a pane, four at most"), this);
     QToolButton *fit
         = namedButton("compareFit", tr("Fit"), tr("Show the whole frame in every pane"), this);
-    auto *progress
-        = new JobBar(m_job, QStringLiteral("compare"), tr("Progress of the comparison"), 64, this);
+    auto *progress = new JobBar(m_job, u"compare"_s, tr("Progress of the comparison"), 64, this);
     connect(&m_job, &Job::started, progress, &QWidget::hide); // for a moment it would flicker
     auto *row = withParts(
         new QHBoxLayout,

@@ -26,14 +26,12 @@ QString agreementLegend(const AgreementMap &agreement, const QPalette &palette)
         const QString who = agreeing == agreement.contenderCount() ? ComparePanel::tr("all agree")
             : agreeing == 1                                        ? ComparePanel::tr("none agree")
                             : ComparePanel::tr("%1 agree").arg(agreeing);
-        QString meaning = QStringLiteral("%1: %2").arg(who).arg(agreement.countAgreeing(agreeing));
-        meaning.replace(u' ', QStringLiteral("&nbsp;")); // lines break only between the colours
-        legend.append(
-            QStringLiteral("<span style=\"background:%1\">&nbsp;&nbsp;&nbsp;</span>&nbsp;%2")
-                .arg(agreementColour(agreeing, agreement.contenderCount(), palette).name(),
-                     meaning));
+        QString meaning = u"%1: %2"_s.arg(who).arg(agreement.countAgreeing(agreeing));
+        meaning.replace(u' ', u"&nbsp;"_s); // lines break only between the colours
+        legend.append(u"<span style=\"background:%1\">&nbsp;&nbsp;&nbsp;</span>&nbsp;%2"_s.arg(
+            agreementColour(agreeing, agreement.contenderCount(), palette).name(), meaning));
     }
-    return legend.join(QStringLiteral("&nbsp;&nbsp; "));
+    return legend.join(u"&nbsp;&nbsp; "_s);
 }
 
 QString resultText(const ContenderRun &run, const ContenderTally &tally)
@@ -76,8 +74,8 @@ QString shortResultText(const ContenderRun &run, const ContenderTally &tally)
     count(Difference::Extra, ComparePane::tr("%1 extra"));
     count(Difference::Colour, ComparePane::tr("%1 wrong colour"));
     return ComparePane::tr("%1: %2").arg(
-        tally == run.tally ? pixels : QStringLiteral("%1/%2").arg(tally.written).arg(pixels),
-        wrong.isEmpty() ? ComparePane::tr("correct") : wrong.join(QStringLiteral(", ")));
+        tally == run.tally ? pixels : u"%1/%2"_s.arg(tally.written).arg(pixels),
+        wrong.isEmpty() ? ComparePane::tr("correct") : wrong.join(u", "_s));
 }
 
 QString carriedText(const Contest &contest)
@@ -88,7 +86,7 @@ QString carriedText(const Contest &contest)
         const bool isSamePair = previous && previous->first == agreement.first
             && previous->second == agreement.second;
         if (isSamePair)
-            lines.back() += QStringLiteral("; ") + textOf(agreement);
+            lines.back() += u"; "_s + textOf(agreement);
         else
             lines.append(ComparePanel::tr("%1 and %2, apart from colour: %3")
                              .arg(agreement.first + 1)
@@ -131,10 +129,10 @@ QString pixelText(const Contest &contest, const std::optional<QPoint> &picked)
         if (opinion.words.isEmpty())
             right.append(text);
         else
-            lines.append(text + QStringLiteral(", ") + opinion.words);
+            lines.append(text + u", "_s + opinion.words);
     }
     if (!right.isEmpty())
-        lines.append(right.join(QStringLiteral(";  ")));
+        lines.append(right.join(u";  "_s));
     return lines.join(u'\n');
 }
 

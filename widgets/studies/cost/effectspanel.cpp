@@ -33,7 +33,7 @@ enum EffectColumn {
 
 QString objectNameOf(Effect effect)
 {
-    return nameText(nameOf(effect)).replace(u' ', u'-') + QStringLiteral("-switch");
+    return nameText(nameOf(effect)).replace(u' ', u'-') + u"-switch"_s;
 }
 
 } // namespace
@@ -239,8 +239,8 @@ QBoxLayout *EffectsPanel::controls()
     m_measure = named(new QPushButton(tr("Measure"), this), "effectsMeasure", {},
                       tr("Draw the scene again and again with each effect on and off, all "
                          "others as called for, by the plain kernels"));
-    auto *progress = new JobBar(m_measureJob, QStringLiteral("effects"),
-                                tr("Progress of the measurement"), 64, this);
+    auto *progress
+        = new JobBar(m_measureJob, u"effects"_s, tr("Progress of the measurement"), 64, this);
     auto *row = withParts(new QHBoxLayout, {m_measure, progress}, 8);
     addSamples(row);
     row->addWidget(m_summary, 1);

@@ -85,9 +85,9 @@ QString contradictionText(const EffectPlan &plan, const Appearance &appearance,
 
 QString verdictText(Verdict verdict)
 {
-    const QString glyph = verdict == Verdict::CalledFor ? QStringLiteral("● ")
-        : verdict == Verdict::NotCalledFor              ? QStringLiteral("○ ")
-                                                        : QStringLiteral("? ");
+    const QString glyph = verdict == Verdict::CalledFor ? u"● "_s
+        : verdict == Verdict::NotCalledFor              ? u"○ "_s
+                                                        : u"? "_s;
     return glyph + coreWord(nameOf(verdict));
 }
 
@@ -104,17 +104,15 @@ QString forcingText(const EffectPlan &plan, const Appearance &appearance, Arithm
     const QString changes = changed == 0
         ? EffectsText::tr("no pixel changes")
         : EffectsText::tr("%n pixels change, marked on the canvas", nullptr, int(changed));
-    return QStringList{
-        EffectsText::tr("Forced: %1; %2.").arg(words.join(QStringLiteral(", ")), changes),
-        contradictionText(plan, appearance, arithmetic, changed)}
+    return QStringList{EffectsText::tr("Forced: %1; %2.").arg(words.join(u", "_s), changes),
+                       contradictionText(plan, appearance, arithmetic, changed)}
         .join(u' ')
         .trimmed();
 }
 
 QString ratioText(const Spread &ratio)
 {
-    return QStringLiteral("%1 (%2 … %3)")
-        .arg(ratio.median, 0, 'f', 2)
+    return u"%1 (%2 … %3)"_s.arg(ratio.median, 0, 'f', 2)
         .arg(ratio.lower, 0, 'f', 2)
         .arg(ratio.upper, 0, 'f', 2);
 }

@@ -77,7 +77,7 @@ void OperationPanel::take(std::optional<OperationCounts> counts)
         tell(tr("The count does not fit into memory. Make the frame smaller."));
     } else {
         const Arithmetic arithmetic = traced->scene.settings.arithmetic;
-        const QString counted = coreWords(countsText(*m_counts), QStringLiteral(", "));
+        const QString counted = coreWords(countsText(*m_counts), u", "_s);
         tell(QStringList{tr("%1 in %2: %3; the set-up is %4 % of them.")
                              .arg(methodTitle(*traced->method), nameText(nameOf(arithmetic)),
                                   counted, QString::number(100 * m_counts->setUpShare(), 'f', 1)),

@@ -24,12 +24,12 @@ struct PerformanceText {
 QString rounded(double value)
 {
     if (!(value > 0))
-        return QStringLiteral("0");
+        return u"0"_s;
     const int places = std::clamp(2 - int(std::floor(std::log10(value))), 0, 4);
     return groupedText(value, places);
 }
 
-QString cell(const QString &text) { return QStringLiteral("<td align='right'>%1</td>").arg(text); }
+QString cell(const QString &text) { return u"<td align='right'>%1</td>"_s.arg(text); }
 
 QString timeRow(const QString &who, const DrawTime &time, const SceneTiming &timing)
 {
@@ -37,14 +37,12 @@ QString timeRow(const QString &who, const DrawTime &time, const SceneTiming &tim
     const auto percent = [&](double value) {
         return QString::number(std::abs(value / spread.median - 1) * 100, 'f', 0);
     };
-    return QStringLiteral("<tr><td>%1</td>").arg(who) + cell(rounded(time.perPixel(timing.pixels)))
+    return u"<tr><td>%1</td>"_s.arg(who) + cell(rounded(time.perPixel(timing.pixels)))
         + cell(rounded(time.perTriangle(timing.triangles)))
-        + cell(QStringLiteral("−%1 … +%2 %").arg(percent(spread.lower), percent(spread.upper)))
-        + cell(QStringLiteral("%1 ×").arg(
-            rounded(timing.plain.perDraw.median / time.perDraw.median)))
-        + cell(QStringLiteral("%1 %").arg(
-            QString::number(100 * timing.shareOfMemory(time), 'f', 0)))
-        + QStringLiteral("</tr>");
+        + cell(u"−%1 … +%2 %"_s.arg(percent(spread.lower), percent(spread.upper)))
+        + cell(u"%1 ×"_s.arg(rounded(timing.plain.perDraw.median / time.perDraw.median)))
+        + cell(u"%1 %"_s.arg(QString::number(100 * timing.shareOfMemory(time), 'f', 0)))
+        + u"</tr>"_s;
 }
 
 QLabel *textLabel(const char *name, QWidget *parent)
@@ -56,7 +54,7 @@ QLabel *textLabel(const char *name, QWidget *parent)
 
 QLabel *headingLabel(const QString &text, QWidget *parent)
 {
-    auto *label = new QLabel(QStringLiteral("<b>%1</b>").arg(text), parent);
+    auto *label = new QLabel(u"<b>%1</b>"_s.arg(text), parent);
     label->setContentsMargins(0, 8, 0, 0);
     return label;
 }
@@ -65,14 +63,13 @@ QLabel *headingLabel(const QString &text, QWidget *parent)
 
 QString timesHtml(const SceneTiming &timing)
 {
-    QString html
-        = QStringLiteral("<table width='100%' cellspacing='0' cellpadding='2'><tr><td></td>");
+    QString html = u"<table width='100%' cellspacing='0' cellpadding='2'><tr><td></td>"_s;
     for (const QString &heading :
          {PerformanceText::tr("ns a pixel"), PerformanceText::tr("ns a triangle"),
           PerformanceText::tr("quartiles"), PerformanceText::tr("speed"),
           PerformanceText::tr("of memory")})
         html += cell(heading);
-    html += QStringLiteral("</tr>");
+    html += u"</tr>"_s;
     html += timeRow(PerformanceText::tr("plain kernel"), timing.plain, timing);
     html += timeRow(PerformanceText::tr("fast, %1")
                         .arg(QString::fromUtf8(nameOf(timing.report.instructionSet))),
@@ -82,24 +79,24 @@ QString timesHtml(const SceneTiming &timing)
                         *timing.parallel, timing);
     }
     html += timeRow(PerformanceText::tr("memory: memset"), timing.memory, timing);
-    return html + QStringLiteral("</table>");
+    return html + u"</table>"_s;
 }
 
 QString routesHtml(const FastReport &report, const QPalette &palette)
 {
     const QColor dim
         = blended(palette.color(QPalette::Window), palette.color(QPalette::WindowText), 0.72F);
-    QString html = QStringLiteral("<table cellspacing='0' cellpadding='2'>");
+    QString html = u"<table cellspacing='0' cellpadding='2'>"_s;
     for (const FastRouteUse &use : report.uses) {
         QString kernel = QString::fromUtf8(nameOf(use.kernel));
         if (use.word != ColourWord::Other)
             kernel += PerformanceText::tr(", colours: %1").arg(QString::fromUtf8(nameOf(use.word)));
-        html += QStringLiteral("<tr>") + cell(groupedText(use.triangles))
-            + QStringLiteral("<td>&nbsp;%1<br><span style='color:%2'>&nbsp;%3</span></td></tr>")
-                  .arg(kernel, dim.name(),
-                       QString::fromUtf8(pixelplumb::textOf(use.reason)).toHtmlEscaped());
+        html += u"<tr>"_s + cell(groupedText(use.triangles))
+            + u"<td>&nbsp;%1<br><span style='color:%2'>&nbsp;%3</span></td></tr>"_s.arg(
+                kernel, dim.name(),
+                QString::fromUtf8(pixelplumb::textOf(use.reason)).toHtmlEscaped());
     }
-    return html + QStringLiteral("</table>");
+    return html + u"</table>"_s;
 }
 
 QString measurementText(const SceneTiming &timing)
@@ -143,8 +140,8 @@ QBoxLayout *PerformancePanel::controls()
     m_measure = named(new QPushButton(tr("Measure"), this), "performanceMeasure", {},
                       tr("Draw the scene again and again by the plain and the fast kernels in "
                          "turn, beside memset"));
-    auto *progress = new JobBar(m_job, QStringLiteral("performance"),
-                                tr("Progress of the measurement"), 160, this);
+    auto *progress
+        = new JobBar(m_job, u"performance"_s, tr("Progress of the measurement"), 160, this);
     auto *row = withParts(new QHBoxLayout, {m_measure, progress, Room()}, 8);
     row->setContentsMargins(0, 0, 8, 0);
     connect(m_measure, &QPushButton::clicked, this, &PerformancePanel::measure);

@@ -16,7 +16,7 @@ DiagnosisView::DiagnosisView(const StudentPicture *student, QWidget *parent)
     : QWidget(parent)
     , m_student(student)
 {
-    setObjectName(QStringLiteral("diagnosis"));
+    setObjectName(u"diagnosis"_s);
     auto *layout = withParts(new QVBoxLayout(this), {}, 4, 0);
     addControls(layout);
     addResults(layout);
@@ -33,8 +33,8 @@ void DiagnosisView::addControls(QBoxLayout *layout)
     m_start
         = pushButton("nameTheBug", tr("Name the &bug"),
                      tr("Find the known defects, one or two, that draw this very picture"), this);
-    auto *progress = new JobBar(m_job, QStringLiteral("diagnosis"),
-                                tr("Sets of defects that are tried"), 0, this);
+    auto *progress
+        = new JobBar(m_job, u"diagnosis"_s, tr("Sets of defects that are tried"), 0, this);
     m_audience = new ElidingBox(this);
     m_audience->setMinimumContentsLength(5);
     named(m_audience, "diagnosisAudience", tr("Whose words"),
@@ -201,7 +201,7 @@ void DiagnosisView::showChosen()
         if (audience() == Audience::Assistant)
             text = sentencesText(candidate, &Defect::forAssistant);
         if (const auto &step = m_named->steps[std::size_t(row)])
-            text += (text.isEmpty() ? QString() : QStringLiteral("\n"))
+            text += (text.isEmpty() ? QString() : u"\n"_s)
                 + tr("First wrong number: step %1, %2: %3.")
                       .arg(step->step + 1)
                       .arg(step->heading, step->text);

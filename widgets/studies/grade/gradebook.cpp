@@ -32,9 +32,9 @@ void Gradebook::open(const QString &results)
     m_job.start(
         [results](const ProgressListener &) -> std::optional<Result<GradeReport>> {
             if (!QFileInfo::exists(assignmentFileOf(results)))
-                return InputError{results, QStringLiteral("holds no results"),
-                                  QStringLiteral("a folder that grading wrote; submissions are "
-                                                 "graded by “Grade a folder…”")};
+                return InputError{results, u"holds no results"_s,
+                                  u"a folder that grading wrote; submissions are "
+                                  "graded by “Grade a folder…”"_s};
             return readGrades(results);
         },
         [this, results](const std::optional<Result<GradeReport>> &report) {

@@ -8,10 +8,12 @@
 
 namespace pixelplumb {
 
+using namespace Qt::StringLiterals;
+
 GradeDialog::GradeDialog(QWidget *parent)
     : QDialog(parent)
 {
-    setObjectName(QStringLiteral("gradeDialog"));
+    setObjectName(u"gradeDialog"_s);
     setWindowTitle(tr("Grade a Folder"));
     auto *layout = withParts(new QVBoxLayout(this), {}, 16, 16);
     auto *form = new QFormLayout;

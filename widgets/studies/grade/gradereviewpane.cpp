@@ -52,7 +52,7 @@ GradeReviewPane::GradeReviewPane(Gradebook *book, QWidget *parent)
                                tr("Give every submission of the same cause this comment"), this);
     m_points = named(new QLineEdit(this), "gradingPoints",
                      tr("Points in place of those of the checks; leave it empty for theirs"));
-    m_points->setMaximumWidth(fontMetrics().horizontalAdvance(QStringLiteral("0000.00")) + 16);
+    m_points->setMaximumWidth(fontMetrics().horizontalAdvance(u"0000.00"_s) + 16);
     m_points->setValidator(new QDoubleValidator(0, largestPoints, 2, m_points));
     m_reason = named(
         new QLineEdit(this), "gradingReason",
@@ -131,7 +131,7 @@ std::optional<GradedPicture> GradeReviewPane::picture() const
     return GradedPicture{sceneIn(assigned.scene, convention),
                          m_book->results(),
                          graded.picture,
-                         QStringLiteral("%1 · %2").arg(submission.name, assigned.name),
+                         u"%1 · %2"_s.arg(submission.name, assigned.name),
                          graded.fault,
                          m_book->report().assignment.margin};
 }

@@ -39,8 +39,7 @@ GradeRows *gradeRows(const Gradebook *book, QObject *parent)
          Column(
              GradeTable::tr("points"), {},
              [book, at](std::size_t row) {
-                 return QStringLiteral("%L1 / %L2")
-                     .arg(at(row).points())
+                 return u"%L1 / %L2"_s.arg(at(row).points())
                      .arg(book->report().assignment.points());
              },
              Qt::AlignRight,

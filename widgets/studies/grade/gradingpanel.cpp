@@ -22,7 +22,7 @@ GradingPanel::GradingPanel(QWidget *parent)
     , m_model(gradeRows(m_book, this))
     , m_filter(new GradeFilter(this))
 {
-    setObjectName(QStringLiteral("grading"));
+    setObjectName(u"grading"_s);
     m_filter->setSourceModel(m_model);
     auto *layout = withParts(new QVBoxLayout(this), {}, 8, 8);
     addFiles(layout);
@@ -68,8 +68,8 @@ void GradingPanel::addFiles(QBoxLayout *layout)
                            tr("Write the reports for Gradescope and others, the table and the "
                               "page anew, with the comments"),
                            this);
-    auto *progress = new JobBar(m_book->job(), QStringLiteral("grading"),
-                                tr("Submissions that are graded"), 160, this);
+    auto *progress
+        = new JobBar(m_book->job(), u"grading"_s, tr("Submissions that are graded"), 160, this);
     m_words = explained(new QLineEdit(this), "gradingFilter",
                         tr("Show the submissions that contain these words"));
     m_words->setPlaceholderText(tr("filter"));
@@ -125,7 +125,7 @@ void GradingPanel::addTable(QBoxLayout *layout)
 void GradingPanel::openResults()
 {
     QFileDialog dialog(this, tr("Open Results"));
-    dialog.setObjectName(QStringLiteral("gradingOpenDialog"));
+    dialog.setObjectName(u"gradingOpenDialog"_s);
     dialog.setFileMode(QFileDialog::Directory);
     if (dialog.exec() != QDialog::Accepted)
         return;
@@ -189,7 +189,7 @@ void GradingPanel::showSummary()
     m_confinement->setVisible(!lacks.isEmpty());
     m_confinement->setWholeText(tr("No sandbox (%1): programs could use the network, read and "
                                    "change files, and end processes, as far as their user may.")
-                                    .arg(lacks.join(QStringLiteral("; "))));
+                                    .arg(lacks.join(u"; "_s)));
     const auto accepted
         = std::ranges::count_if(report.submissions, [](const GradedSubmission &submission) {
               return submission.review.isAccepted;

@@ -29,7 +29,7 @@ SubmissionPanel::SubmissionPanel(StudentPicture *student, Playhead *playhead, QW
     , m_playhead(playhead)
     , m_link(new CompareLink(this))
 {
-    setObjectName(QStringLiteral("submission"));
+    setObjectName(u"submission"_s);
     auto *area = named(columnScroll(this), "submissionArea", tr("Submission"));
     area->setFocusPolicy(Qt::NoFocus);
     withParts(new QVBoxLayout(this), {area}, -1, 0);

@@ -69,13 +69,13 @@ QString countsText(const PictureJudgement &judgement, const QPalette &palette)
             continue;
         const QString colour = isSame ? palette.color(QPalette::Text).name()
                                       : signColour(signOf(verdict), palette).name();
-        const QString glyph = isSame ? QStringLiteral("#") : signGlyph(signOf(verdict));
-        lines += QStringLiteral("<span style=\"color:%1\"><b><tt>%2</tt></b></span>&nbsp;%3")
-                     .arg(colour, glyph, countText(diff, verdict));
+        const QString glyph = isSame ? u"#"_s : signGlyph(signOf(verdict));
+        lines += u"<span style=\"color:%1\"><b><tt>%2</tt></b></span>&nbsp;%3"_s.arg(
+            colour, glyph, countText(diff, verdict));
     }
     if (judgement.found.isTransparent)
         lines += SubmissionPanel::tr("Its transparency is ignored; its colours count.");
-    return lines.join(QStringLiteral("<br>"));
+    return lines.join(u"<br>"_s);
 }
 
 QString causesText(const PictureDiff &diff)
@@ -101,8 +101,7 @@ QString pixelText(const PictureJudgement &judgement, const QPoint &pixel)
               .arg(pixel.x())
               .arg(pixel.y())
               .arg(contentOf(judgement.found, *place), contentOf(judgement.expected, *place));
-    return verdict == Difference::None ? text
-                                       : text + QStringLiteral(" — ") + coreWord(nameOf(verdict));
+    return verdict == Difference::None ? text : text + u" — "_s + coreWord(nameOf(verdict));
 }
 
 SubmissionView::SubmissionView(Side side, CompareLink *link, Playhead *playhead, QWidget *parent)
@@ -110,8 +109,7 @@ SubmissionView::SubmissionView(Side side, CompareLink *link, Playhead *playhead,
     , m_side(side)
 {
     const bool isStudent = side == Side::Student;
-    setObjectName(isStudent ? QStringLiteral("submissionPicture")
-                            : QStringLiteral("submissionExpected"));
+    setObjectName(isStudent ? u"submissionPicture"_s : u"submissionExpected"_s);
     setAccessibleName(isStudent ? tr("The student's picture") : tr("The expected picture"));
     setToolTip(isStudent ? tr("The student's picture. A click picks the pixel.")
                          : tr("What the method draws. A click picks the pixel."));
