@@ -34,6 +34,25 @@ std::array<Attribute, 3> horizonOf(const Triangle &triangle, const TriangleAttri
     return w;
 }
 
+/// Half a pixel's square times the slopes of the plane, rounded up; for a sliver a bound beyond
+/// which no depth lies.
+Attribute excessOf(const Triangle &triangle, const std::array<Attribute, 3> &z,
+                   Antialiasing antialiasing)
+{
+    if (antialiasing != Antialiasing::Area)
+        return 0;
+    Int128 alongX = 0, alongY = 0; // times the doubled area
+    for (std::size_t i = 0; i < 3; ++i) {
+        const LatticePoint &a = triangle.vertices[(i + 1) % 3].position;
+        const LatticePoint &b = triangle.vertices[(i + 2) % 3].position;
+        alongX += Int128(z[i]) * (b.y - a.y);
+        alongY += Int128(z[i]) * (b.x - a.x);
+    }
+    const Int128 excess = ceilDivide<Int128>(halfPixel * (absolute(alongX) + absolute(alongY)),
+                                             absolute(doubledArea(triangle)));
+    return Attribute(std::min<Int128>(excess, 4 * largestAttribute));
+}
+
 Lattice marginOf(Antialiasing antialiasing)
 {
     return antialiasing == Antialiasing::None ? 0 : halfPixel;
@@ -56,7 +75,8 @@ DepthBox boxWithin(const Triangle &triangle, const FrameView &frame, Lattice mar
             within(high + margin, frame.firstRow, frame.height)};
 }
 
-/// Sets depths in levels; levels are the depths' own units if there are enough levels.
+/// Sets depths in levels of 0 … mostDepthLevel between the nearest and the farthest vertex; levels
+/// are the depths' own units if there are enough levels.
 void setDepthLevels(DepthCandidates &candidates)
 {
     Attribute least = largestAttribute;
@@ -72,8 +92,11 @@ void setDepthLevels(DepthCandidates &candidates)
     const Attribute roundUp = (Attribute(1) << shift) - 1;
     for (std::size_t i = 0; i < candidates.boxes.size(); ++i) {
         DepthBox &box = candidates.boxes[i];
-        box.nearest = std::int32_t((candidates.nearest(i) - least) >> shift);
-        box.farthest = std::int32_t((candidates.farthest(i) - least + roundUp) >> shift);
+        const auto levelOf = [&](Attribute aboveLeast) {
+            return std::int32_t(std::clamp<Attribute>(aboveLeast >> shift, -1, mostDepthLevel + 1));
+        };
+        box.nearest = levelOf(candidates.nearest(i) - least);
+        box.farthest = levelOf(candidates.farthest(i) - least + roundUp);
     }
 }
 
@@ -87,11 +110,12 @@ DepthCandidates depthCandidatesOf(const Primitives &primitives, const SampledFra
         return std::int32_t((pixels - 1) * unitsPerPixel + 2 * margin);
     };
     DepthCandidates candidates{
-        sideOf(where.frame.width), sideOf(where.frame.height), {}, {}, {}, {}};
+        sideOf(where.frame.width), sideOf(where.frame.height), {}, {}, {}, {}, {}};
     candidates.boxes.reserve(count);
     candidates.triangles.reserve(count);
     candidates.z.reserve(count);
     candidates.w.reserve(count);
+    candidates.excess.reserve(count);
     auto next = primitives.attributes.begin();
     for (std::size_t i = 0; i < count; ++i) {
         const bool hasAttributes = next != primitives.attributes.end() && next->triangle == i;
@@ -105,6 +129,8 @@ DepthCandidates depthCandidatesOf(const Primitives &primitives, const SampledFra
         candidates.z.push_back(attributes ? depthsOf(triangle, *attributes)
                                           : std::array<Attribute, 3>{});
         candidates.w.push_back(horizon);
+        candidates.excess.push_back(
+            excessOf(triangle, candidates.z.back(), where.antialiasingOf(triangle)));
     }
     setDepthLevels(candidates);
     return candidates;

@@ -19,9 +19,13 @@ struct DepthCandidates {
         z; ///< of the vertices; a segment's middle one has an end's depth
     std::vector<std::array<Attribute, 3>> w; ///< of the vertices, as in DepthTriangle
 
-    Attribute nearest(std::size_t i) const { return std::ranges::min(z[i]); }
-    Attribute farthest(std::size_t i) const { return std::ranges::max(z[i]); }
-    bool isFlat(std::size_t i) const { return nearest(i) == farthest(i); }
+    /// By how much depths at the centres of its pixels may exceed those of the vertices: with area
+    /// antialiasing such a centre may lie half a pixel outside, along either axis or both.
+    std::vector<Attribute> excess;
+
+    /// Bounds for the depths that are compared.
+    Attribute nearest(std::size_t i) const { return std::ranges::min(z[i]) - excess[i]; }
+    Attribute farthest(std::size_t i) const { return std::ranges::max(z[i]) + excess[i]; }
 };
 
 /// Where pixels have more than one sample, the frame includes half a pixel around it.

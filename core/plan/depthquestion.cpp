@@ -18,9 +18,10 @@ constexpr std::int64_t planesCost = 20;
 constexpr std::int64_t behindCost = 140;
 constexpr std::int64_t leastBudget = 1'000'000;
 constexpr std::int64_t budgetPerTriangle = 260;
-/// How many rows and samples are searched for witnesses in all pairs, one after another: some
-/// milliseconds. Later pairs are in question by their planes alone.
-constexpr int mostSteps = 20'000;
+/// How many rows and samples are searched for witnesses in one pair, and in all: some milliseconds.
+/// Beyond these, a pair is not ruled out.
+constexpr int mostStepsOfPair = 10'000;
+constexpr int mostSteps = 40'000;
 
 /// Compares the triangles of each tile pairwise.
 class PairComparison {
@@ -32,6 +33,7 @@ public:
         , m_where(where)
         , m_tiles(candidates.boxes, candidates.width, candidates.height)
         , m_inQuestion(candidates.boxes.size(), false)
+        , m_isShown(m_inQuestion)
         , m_budget(leastBudget + budgetPerTriangle * std::int64_t(candidates.boxes.size()))
     {
     }
@@ -45,7 +47,6 @@ public:
             m_inQuestion.assign(m_inQuestion.size(), true);
         setGround(isComplete);
         takeQuestions();
-        m_answer.antialiasing = m_where.antialiasing;
         return m_answer;
     }
 
@@ -74,20 +75,13 @@ private:
 
     /// Pairs for which depth already runs: nothing is learnt from them once it is known that it
     /// must.
-    SettledPairs settledPairs() const
-    {
-        // With area antialiasing a plane also counts at samples outside its triangle.
-        return {m_mayOverlap && !isByArea(), isCalledFor()};
-    }
+    SettledPairs settledPairs() const { return {m_mayOverlap, isCalledFor()}; }
 
     void compare(std::size_t earlier, std::size_t later)
     {
         if (m_inQuestion[earlier] && m_inQuestion[later] && isCalledFor())
             return;
-        const bool hasOneOrder
-            = !isByArea() || (m_candidates.isFlat(earlier) && m_candidates.isFlat(later));
-        const bool inOrder
-            = hasOneOrder && m_candidates.farthest(later) <= m_candidates.nearest(earlier);
+        const bool inOrder = m_candidates.farthest(later) <= m_candidates.nearest(earlier);
         if (!inOrder || !m_mayOverlap)
             compareOverlap(earlier, later, inOrder);
     }
@@ -124,9 +118,10 @@ private:
     {
         WitnessSearch search;
         if (m_steps < mostSteps)
-            search = searchWitness(depthTriangle(earlier), depthTriangle(later), m_where,
-                                   edgePixels(), m_primitives.appearance.depthFormat,
-                                   {sharedReach(earlier, later), mostSteps - m_steps});
+            search = searchWitness(
+                depthTriangle(earlier), depthTriangle(later), m_where, edgePixels(),
+                m_primitives.appearance.depthFormat,
+                {sharedReach(earlier, later), std::min(mostStepsOfPair, mostSteps - m_steps)});
         m_steps += search.steps;
         if (search.wasComplete && !search.found) {
             m_onlyBetweenSamples = true;
@@ -138,8 +133,10 @@ private:
             m_answer.verdict = Verdict::CalledFor;
         else if (!isCalledFor())
             m_answer.verdict = Verdict::NotRuledOut;
-        m_inQuestion[earlier] = true;
-        m_inQuestion[later] = true;
+        for (const std::size_t each : {earlier, later}) {
+            m_inQuestion[each] = true;
+            m_isShown[each] = m_isShown[each] || search.found;
+        }
     }
 
     /// The pixels with more than one sample; computed for the first pair that needs them.
@@ -183,6 +180,7 @@ private:
             if (m_inQuestion[i])
                 m_answer.inQuestion[m_candidates.triangles[i]] = true;
         }
+        m_answer.shown = std::size_t(std::ranges::count(m_isShown, true));
     }
 
     bool isByArea() const { return m_where.antialiasing == Antialiasing::Area; }
@@ -204,6 +202,7 @@ private:
     DepthTiles m_tiles;
     TileBoxes m_boxes; ///< of the current tile
     std::vector<bool> m_inQuestion; ///< by candidate
+    std::vector<bool> m_isShown; ///< by candidate: in question at a sample
     std::int64_t m_budget;
     DepthAnswer m_answer;
     bool m_mayOverlap = false;
@@ -223,7 +222,6 @@ DepthAnswer depthQuestion(const Primitives &primitives, const ScanSettings &sett
                           const FrameView &frame, Antialiasing antialiasing)
 {
     DepthAnswer answer;
-    answer.antialiasing = antialiasing;
     if (primitives.appearance.depth != DepthUse::Auto || primitives.triangles.size() < 2)
         return answer;
     answer.ground = DepthAnswer::Ground::SameDepth;
@@ -235,8 +233,7 @@ DepthAnswer depthQuestion(const Primitives &primitives, const ScanSettings &sett
     if (candidates.boxes.size() < 2)
         return answer;
     answer.ground = DepthAnswer::Ground::InOrder;
-    const bool planesEndAtEdges = antialiasing != Antialiasing::Area;
-    if (planesEndAtEdges && areInOrder(candidates))
+    if (areInOrder(candidates))
         return answer;
     return PairComparison(primitives, where, candidates).answer();
 }

@@ -27,11 +27,12 @@ struct DepthAnswer {
     std::size_t earlier = 0, later = 0; ///< the triangles of the witness, or of the pair without
                                         ///< one
     SamplePlace place; ///< of the witness
-    Antialiasing antialiasing = Antialiasing::None; ///< whose samples the question is about
     std::int64_t overlaps = 0; ///< pairs of triangles whose planes were compared where they overlap
     /// By triangle: whether it lies, or may lie, behind an earlier one or in front of a later one
     /// somewhere. All others may be drawn without depth. Empty where there are none in question.
     std::vector<bool> inQuestion;
+    /// How many of those in question do so at a sample; the others were only not ruled out.
+    std::size_t shown = 0;
     std::int64_t operations = 0; ///< approximate; comparing two boxes counts as one
 
     std::size_t countInQuestion() const;

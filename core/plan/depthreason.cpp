@@ -5,16 +5,24 @@ namespace pixelplumb {
 
 namespace {
 
+/// How many triangles are seen to need depth, and how many more were not ruled out.
 QString inQuestionWords(const DepthAnswer &answer)
 {
-    return QStringLiteral("; %1 triangles are in question").arg(answer.countInQuestion());
+    const std::size_t more = answer.countInQuestion() - answer.shown;
+    if (answer.shown == 0)
+        return QStringLiteral("; %1 triangles may be in question").arg(more);
+    const QString shown = QStringLiteral("; %1 triangles are in question").arg(answer.shown);
+    return more == 0 ? shown : shown + QStringLiteral(", and %1 more may be").arg(more);
 }
 
 } // namespace
 
-QString depthReason(const DepthAnswer &answer)
+QString depthReason(const DepthAnswer &answer, const SampledFrame &where)
 {
     using Ground = DepthAnswer::Ground;
+    const bool isByArea = where.antialiasing == Antialiasing::Area;
+    const QString byCentres = "at the centre of every pixel in which two triangles are both drawn, "
+                              "the later one is nearer or as near";
     switch (answer.ground) {
     case Ground::FewTriangles:
         return QStringLiteral("no two triangles are drawn in the frame");
@@ -26,14 +34,15 @@ QString depthReason(const DepthAnswer &answer)
     case Ground::Apart:
         return QStringLiteral("no two triangles that are drawn in the frame overlap");
     case Ground::NotBehind:
-        return QStringLiteral(
-            "where triangles overlap or touch, the later one is nearer or as near");
+        if (isByArea)
+            return byCentres;
+        return where.rule == FillRule::Closed // the others give no sample to both that touch there
+            ? QStringLiteral("where triangles overlap or touch, the later one is nearer or as near")
+            : QStringLiteral("where triangles overlap, the later one is nearer or as near");
     case Ground::NoSample:
-        return answer.antialiasing == Antialiasing::Area
-            ? QStringLiteral("at the centre of every pixel in which two triangles are both drawn, "
-                             "the later one is nearer or as near")
-            : QStringLiteral("at every sample that two triangles cover, the later one is nearer "
-                             "or as near");
+        return isByArea ? byCentres
+                        : QStringLiteral("at every sample that two triangles cover, the later one "
+                                         "is nearer or as near");
     case Ground::Witness:
         return QStringLiteral("at pixel (%1, %2) triangle %3 lies behind triangle %4, which is "
                               "drawn before it")

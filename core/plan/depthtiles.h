@@ -9,7 +9,8 @@
 namespace pixelplumb {
 
 /// A bounding box, boundary included; lattice units from the frame's first sample. Depths are
-/// levels of 0 … mostDepthLevel, on one scale for all boxes of a scene, widened to whole levels.
+/// levels of 0 … mostDepthLevel, on one scale for all boxes of a scene, widened to whole levels;
+/// what is nearer or farther than all vertices is one level beyond.
 struct DepthBox {
     std::int32_t left = 0, right = 0, low = 0, high = 0;
     std::int32_t nearest = 0, farthest = 0;

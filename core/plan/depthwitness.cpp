@@ -43,6 +43,24 @@ Int256 depthLevel(const DrawnPlane &plane, const SamplePlace &at, DepthFormat fo
     return (2 * numerator * largest + one) / (2 * one);
 }
 
+/// Keeps the rows in which both forms are above 0 somewhere, at a column or between two: eliminates
+/// x (Fourier).
+template <class Integer>
+void keepRowsOfBoth(RowPixels &rows, const PixelForm<Integer> &a, const PixelForm<Integer> &b)
+{
+    const auto keepRowsOf = [&rows](const PixelForm<Integer> &form) {
+        rows.keepPositive(PixelForm<Integer>{form.y, 0, form.constant}, 0);
+    };
+    if (a.x == 0)
+        keepRowsOf(a);
+    if (b.x == 0)
+        keepRowsOf(b);
+    if (a.x > 0 && b.x < 0)
+        keepRowsOf(a * Integer(-b.x) + b * a.x);
+    if (a.x < 0 && b.x > 0)
+        keepRowsOf(b * Integer(-a.x) + a * b.x);
+}
+
 /// Two triangles as seen by one sample of each pixel.
 class DrawnPair {
 public:
@@ -52,6 +70,8 @@ public:
         , m_later(later, samples.place, where)
         , m_behind(m_later.depth * m_earlier.denominator
                    + m_earlier.depth * Int256(-m_later.denominator))
+        , m_isNarrow(integerWidthFor(*earlier.triangle) == IntegerWidth::Bits64
+                     && integerWidthFor(*later.triangle) == IntegerWidth::Bits64)
     {
     }
 
@@ -66,6 +86,29 @@ public:
             }
         }
         return false;
+    }
+    /// The rows of the window in which, at some point, both are drawn and the later one is farther:
+    /// none for most planes that cross beyond the triangles. Exact, but disregards horizons.
+    RowPixels rowsBehind(const SampleBox &window) const
+    {
+        RowPixels rows = {window.firstY, window.endY};
+        std::vector<PixelForm<Int128>> inside;
+        inside.reserve(16);
+        inside.push_back({1, 0, 1 - Int128(window.firstX)});
+        inside.push_back({-1, 0, Int128(window.endX)});
+        for (const DrawnPlane *plane : {&m_earlier, &m_later})
+            inside.insert(inside.end(), plane->inside.begin(), plane->inside.end());
+        for (std::size_t i = 0; i < inside.size() && !rows.isEmpty(); ++i) {
+            const auto wide = widened<Int256>(inside[i]);
+            for (std::size_t k = 0; k < i; ++k) {
+                if (m_isNarrow)
+                    keepRowsOfBoth(rows, inside[i], inside[k]);
+                else
+                    keepRowsOfBoth(rows, wide, widened<Int256>(inside[k]));
+            }
+            keepRowsOfBoth(rows, m_behind, wide);
+        }
+        return rows;
     }
     /// Keeps the part of a row where both are drawn and the later one is farther.
     void keepBehind(RowPixels &columns, std::int64_t row) const
@@ -86,11 +129,15 @@ public:
 private:
     DrawnPlane m_earlier, m_later;
     PixelForm<Int256> m_behind; ///< above 0 where the later one is farther
+    bool m_isNarrow; ///< products of two edges' forms fit 128 bits
 };
 
 /// Searches the rows of a window for one sample of its pixels after the other.
 class Search {
 public:
+    /// What finding the rows costs, in rows.
+    static constexpr int stepsOfRows = 4;
+
     Search(const EdgePixels *edges, DepthFormat format, const WitnessWindow &window)
         : m_edges(edges)
         , m_format(format)
@@ -104,7 +151,9 @@ public:
         ++m_search.steps;
         if (!pair.mayBeBehind(m_window.pixels))
             return true;
-        for (std::int64_t y = m_window.pixels.firstY; y < m_window.pixels.endY; ++y) {
+        m_search.steps += stepsOfRows;
+        const RowPixels rows = pair.rowsBehind(m_window.pixels);
+        for (std::int64_t y = rows.first; y < rows.end; ++y) {
             if (++m_search.steps > m_window.mostSteps)
                 return false;
             RowPixels columns = {m_window.pixels.firstX, m_window.pixels.endX};

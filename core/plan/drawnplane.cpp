@@ -31,6 +31,7 @@ Form orZero(const Form &form) { return {form.x, form.y, form.constant + 1}; }
 DrawnPlane::DrawnPlane(const DepthTriangle &triangle, const LatticePoint &sample,
                        const SampledFrame &where)
 {
+    inside.reserve(7);
     if (doubledArea(*triangle.triangle) == 0)
         setSegment(triangle);
     else
@@ -45,15 +46,18 @@ void DrawnPlane::setTriangle(const DepthTriangle &given, const Triangle &seen,
         = edgeTestSetUp<ExactPlane<Int128>, canonicalEdgeEquationsForm>(seen, rule, {}).ownsTie;
     const bool isClockwise = doubledArea(seen) < 0;
     denominator = Int256(absolute(doubledArea(seen)));
+    isDivided = given.w != std::array<Attribute, 3>{};
+    Form depths; // below 2^126
     for (std::size_t edge = 0; edge < 3; ++edge) {
         Form form = edgeForm(seen.vertices[edge].position, seen.vertices[(edge + 1) % 3].position);
         if (isClockwise)
             form = negative(form);
         const std::size_t facing = (edge + 2) % 3;
-        const auto wide = widened<Int256>(form);
-        depth = depth + wide * Int256(given.z[facing]);
-        reciprocal = reciprocal
-            + wide * Int256(given.w[(facing + 1) % 3]) * Int256(given.w[(facing + 2) % 3]);
+        depths = depths + form * Int128(given.z[facing]);
+        if (isDivided)
+            reciprocal = reciprocal
+                + widened<Int256>(form)
+                    * Int256(Int256(given.w[(facing + 1) % 3]) * given.w[(facing + 2) % 3]);
         if (where.antialiasing == Antialiasing::Area) {
             // The pixel's square reaches beyond its centre, across the edge's line.
             form.constant += (absolute(form.x) + absolute(form.y)) / 2;
@@ -62,9 +66,9 @@ void DrawnPlane::setTriangle(const DepthTriangle &given, const Triangle &seen,
             inside.push_back(owned[edge] ? orZero(form) : form);
         }
     }
+    depth = widened<Int256>(depths);
     if (where.antialiasing != Antialiasing::Area)
         return;
-    isDivided = given.w != std::array<Attribute, 3>{};
     // Two convex figures are also apart where one lies beyond a side of the square.
     const auto [least, greatest] = boundingCornersOf(seen);
     inside.push_back({unitsPerPixel, 0, halfPixel - least.x});

@@ -49,9 +49,12 @@ struct RowPixels {
     void keepPositive(const PixelForm<Integer> &form, std::int64_t row)
     {
         const Integer least = form.y * row + form.constant - 1; // x·column + least >= 0
-        if (form.x == 0) {
-            if (least < 0)
-                end = first;
+        const bool isFirst = form.x * first + least >= 0;
+        const bool isLast = form.x * (end - 1) + least >= 0;
+        if (isFirst && isLast) // as nearly always; a division takes far longer
+            return;
+        if (!isFirst && !isLast) {
+            end = first;
         } else if (form.x > 0) {
             const Integer from = ceilDivide<Integer>(Integer(-least), form.x);
             if (from > first)
@@ -75,8 +78,11 @@ struct DrawnPlane {
     /// Keeps the part of a row where it is drawn.
     void keepDrawn(RowPixels &columns, std::int64_t row) const
     {
-        for (const PixelForm<Int128> &form : inside)
+        for (const PixelForm<Int128> &form : inside) {
             columns.keepPositive(form, row);
+            if (columns.isEmpty())
+                return;
+        }
         if (isDivided)
             columns.keepPositive(reciprocal, row);
     }

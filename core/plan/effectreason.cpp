@@ -125,12 +125,12 @@ QString clippingReason(const NeedsTally &tally, const QString &noun, Antialiasin
     const QString within = "what is drawn lies within the frame";
     if (tally.outside == 0)
         return within;
+    const QString covered = antialiasing == Antialiasing::Area ? "part" : "sample";
     return within
         + (tally.outside == 1
-               ? QStringLiteral("; 1 other %1 covers no sample of the frame").arg(noun)
-               : QStringLiteral("; %1 other %2s cover no sample of the frame")
-                     .arg(tally.outside)
-                     .arg(noun));
+               ? QStringLiteral("; 1 other %1 covers no %2 of the frame").arg(noun, covered)
+               : QStringLiteral("; %1 other %2s cover no %3 of the frame")
+                     .arg(QString::number(tally.outside), noun, covered));
 }
 
 /// The values that are divided by w.

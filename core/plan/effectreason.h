@@ -19,7 +19,7 @@ QString blendingReason(const Primitives &primitives, const NeedsTally &tally,
                        const SampledFrame &where);
 
 /// Why depth is called for or not, where the scene leaves the question to the plan.
-QString depthReason(const DepthAnswer &answer);
+QString depthReason(const DepthAnswer &answer, const SampledFrame &where);
 
 /// "the triangle has", "1 of 3 triangles has", "both triangles have",
 /// "all 3 triangles have".

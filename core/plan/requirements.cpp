@@ -49,7 +49,7 @@ EffectVerdict depthVerdict(const Primitives &primitives, const NeedsTally &tally
     case DepthUse::Auto:
         break;
     }
-    return {depth.verdict, depthReason(depth), depth.countInQuestion(),
+    return {depth.verdict, depthReason(depth, where), depth.countInQuestion(),
             pixelsInQuestion(primitives, where, depth)};
 }
 

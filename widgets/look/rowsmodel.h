@@ -76,7 +76,7 @@ public:
     }
     QVariant data(const QModelIndex &index, int role) const override
     {
-        if (!checkIndex(index, CheckIndexOption::IndexIsValid))
+        if (!index.isValid() || !checkIndex(index))
             return {};
         const Row &row = m_rows[std::size_t(index.row())];
         const RowsColumn<Row> &column = m_columns[std::size_t(index.column())];

@@ -225,7 +225,7 @@ bool ColumnTableModel::isToldAhead(int column, int role) const
 
 QVariant ColumnTableModel::data(const QModelIndex &index, int role) const
 {
-    if (!checkIndex(index, CheckIndexOption::IndexIsValid))
+    if (!index.isValid() || !checkIndex(index))
         return {};
     const std::size_t span = spanAt(index.row());
     const bool isAhead = m_traced->trace->indexOfSpan(span) >= m_position;

@@ -110,7 +110,7 @@ int PixelHistoryModel::columnCount(const QModelIndex &) const { return columnTot
 
 QVariant PixelHistoryModel::data(const QModelIndex &index, int role) const
 {
-    if (!checkIndex(index, CheckIndexOption::IndexIsValid))
+    if (!index.isValid() || !checkIndex(index))
         return {};
     if (isCountRow(index)) {
         if (role != Qt::DisplayRole || index.column() != WhatColumn)

@@ -4,6 +4,7 @@
 #include "core/oracle/oracle.h"
 #include "core/oracle/squarearea.h"
 #include "core/plan/depthquestion.h"
+#include "core/plan/effectreason.h"
 #include "core/plan/framereach.h"
 #include "core/plan/sharededges.h"
 #include "core/shade/edgepixels.h"
@@ -151,6 +152,28 @@ std::set<std::size_t> inQuestion(const DepthAnswer &answer)
     return found;
 }
 
+/// Triangles far larger than a frame of 3000 × 3000 px shows, each a little nearer than the one
+/// before it and so tilted that their planes cross, mostly beyond the triangles.
+Primitives tiltedSheets(quint32 seed)
+{
+    QRandomGenerator random(seed);
+    Primitives primitives;
+    constexpr int count = 40;
+    for (int i = 0; i < count; ++i) {
+        Triangle triangle = triangleAt({});
+        setDepths(primitives, std::size_t(i), {});
+        for (std::size_t k = 0; k < 3; ++k) {
+            triangle.vertices[k].position
+                = latticePixel(random.bounded(5000) - 1000, random.bounded(5000) - 1000);
+            attributesAt(primitives, std::size_t(i)).vertices[k].z
+                = (count - i) * attributeOne / (count + 1)
+                + Attribute(random.bounded(quint32(3 * attributeOne / count)));
+        }
+        primitives.triangles.push_back(triangle);
+    }
+    return primitives;
+}
+
 /// A terrain of triangles over the frame, two per square of the grid; the depth grows with the
 /// column and, by `slope`, with the row.
 Primitives grid(int cells, FrameView frame, int slope)
@@ -263,6 +286,7 @@ private slots:
                 = trulyInQuestion(primitives, boundary, frame.view(), antialiasing);
 
             QVERIFY2(inQuestion(answer) == truly, qPrintable(QString::number(seed)));
+            QCOMPARE(answer.shown, truly.size());
             QCOMPARE(answer.verdict == Verdict::CalledFor, !truly.empty());
             QCOMPARE(answer.verdict == Verdict::NotCalledFor, truly.empty());
             if (truly.empty())
@@ -272,6 +296,64 @@ private slots:
             ++calledFor;
         }
         QVERIFY(calledFor > 0 || isSanitized); // too few scenes then
+    }
+
+    void manyLargeTrianglesAskOnlyWhatTheirPairsAsk()
+    {
+        const FrameBuffer frame(frameOf(3000, 3000));
+        std::size_t asked = 0, all = 0;
+        for (quint32 seed = 0; seed < 4; ++seed) {
+            const Primitives primitives = tiltedSheets(seed);
+            const auto answerOf = [&](const Primitives &some) {
+                return answerFor(some, frame.view(), FillRule::HalfOpenColumn, Antialiasing::Area);
+            };
+            std::set<std::size_t> ofPairs;
+            for (std::size_t later = 1; later < primitives.triangles.size(); ++later) {
+                for (std::size_t earlier = 0; earlier < later; ++earlier) {
+                    Primitives pair;
+                    for (const std::size_t i : {earlier, later}) {
+                        pair.attributes.push_back(primitives.attributes[i]);
+                        pair.attributes.back().triangle = pair.triangles.size();
+                        pair.triangles.push_back(primitives.triangles[i]);
+                    }
+                    const DepthAnswer answer = answerOf(pair);
+                    QVERIFY(answer.verdict != Verdict::NotRuledOut);
+                    if (answer.verdict == Verdict::CalledFor)
+                        ofPairs.insert({earlier, later});
+                }
+            }
+            const DepthAnswer answer = answerOf(primitives);
+
+            QCOMPARE(inQuestion(answer), ofPairs);
+            QCOMPARE(answer.shown, ofPairs.size());
+            asked += ofPairs.size();
+            all += primitives.triangles.size();
+        }
+        QVERIFY(asked > 0);
+        QVERIFY(asked < all);
+    }
+
+    void whatWasNotRuledOutIsToldApartFromWhatIsSeen()
+    {
+        // In 16 bits the first two have one level at each of 28,000 pixels; of the others the later
+        // lies behind.
+        const FrameBuffer frame(frameOf(300, 300));
+        const Triangle large = triangleAt({{{0, 0}, {240, 0}, {0, 240}}});
+        const Triangle small = triangleAt({{{250, 250}, {290, 250}, {250, 290}}});
+        Primitives primitives;
+        primitives.triangles = {large, large, small, small};
+        for (std::size_t i = 0; i < 3; ++i)
+            setDepths(primitives, i, {1, 1, 1});
+        for (VertexAttributes &vertex : attributesAt(primitives, 1).vertices)
+            ++vertex.z;
+        setDepths(primitives, 3, {2, 2, 2});
+        primitives.appearance.depthFormat = DepthFormat::Bits16;
+
+        const DepthAnswer answer = answerFor(primitives, frame.view());
+        QCOMPARE(answer.countInQuestion(), std::size_t(4));
+        QCOMPARE(answer.shown, std::size_t(2));
+        QVERIFY(depthReason(answer, {frame.view()})
+                    .endsWith(QStringLiteral("; 2 triangles are in question, and 2 more may be")));
     }
 
     void depthsOfAnySizeAreComparedInTheirLastUnit()
@@ -336,6 +418,7 @@ private slots:
         QCOMPARE(int(answer.ground), int(DepthAnswer::Ground::TooMany));
         QCOMPARE(int(answer.verdict), int(Verdict::NotRuledOut));
         QCOMPARE(answer.countInQuestion(), primitives.triangles.size());
+        QCOMPARE(answer.shown, std::size_t(0));
         QVERIFY(answer.operations < 10'000'000);
     }
 

@@ -58,6 +58,14 @@ private slots:
             Effect::Clipping, no, 0,
             "what is drawn lies within the frame; 1 other triangle covers no sample of the frame");
         add(
+            "one is outside, of areas",
+            [](Primitives &p) {
+                p.triangles[0] = triangleAt({{{-9, 2}, {-2, 2}, {-9, 10}}});
+                p.appearance.antialiasing = Antialiasing::Area;
+            },
+            Effect::Clipping, no, 0,
+            "what is drawn lies within the frame; 1 other triangle covers no part of the frame");
+        add(
             "the box alone crosses the border",
             [](Primitives &p) {
                 p.triangles[0] = triangleAt({{{-9, 2}, {2, -9}, {-9, -9}}});
@@ -109,7 +117,7 @@ private slots:
             [=](Primitives &p) {
                 between(p);
                 setDepths(p, 1, {0, 0, 0});
-                setDepths(p, 0, {1, 2, 2});
+                setDepths(p, 0, {0, 2, 2});
                 p.appearance.antialiasing = Antialiasing::Area;
             },
             Effect::Depth, no, 0,
@@ -460,6 +468,29 @@ private slots:
                 primitives, {Arithmetic::Exact, rule, ByteRounding::Nearest})[Effect::Blending];
             QCOMPARE(verdict.reason.contains(QStringLiteral("shared edges")),
                      rule == FillRule::Closed);
+        }
+    }
+
+    void onlyTheClosedRuleSpeaksOfTrianglesThatTouch()
+    {
+        // The first two share an edge, at which the later one is farther; the third is nearer than
+        // what it overlaps.
+        Primitives primitives = plain();
+        primitives.triangles
+            = {triangleAt({{{1, 1}, {9, 1}, {1, 9}}}), triangleAt({{{9, 1}, {9, 9}, {1, 9}}}),
+               triangleAt({{{7, 7}, {12, 7}, {12, 12}}})};
+        setDepths(primitives, 0, {0, 0, 0});
+        setDepths(primitives, 1, {4, 4, 4});
+        setDepths(primitives, 2, {0, 4, 4});
+        for (const FillRule rule : allFillRules) {
+            const EffectVerdict verdict = verdictsOf(
+                primitives, {Arithmetic::Exact, rule, ByteRounding::Nearest})[Effect::Depth];
+            if (rule == FillRule::Closed)
+                QCOMPARE(verdict.verdict, Verdict::CalledFor);
+            else
+                QCOMPARE(verdict.reason,
+                         QStringLiteral("where triangles overlap, the later one is nearer or as "
+                                        "near"));
         }
     }
 

@@ -5,6 +5,8 @@
 #include "tests/support/testprogram.h"
 #include "tests/support/tracedplayhead.h"
 #include "widgets/look/numberformat.h"
+#include "widgets/look/rowsmodel.h"
+#include "widgets/model/pixelhistorymodel.h"
 
 #include <QElapsedTimer>
 #include <QtTest>
@@ -33,6 +35,22 @@ private slots:
         playhead.setTraced(nullptr);
 
         QCOMPARE(model.rowCount(), 0);
+    }
+
+    void copyingWhereNoCellIsCurrentIsSilent()
+    {
+        TracedPlayhead playhead(defaultSceneIn(Arithmetic::Exact));
+        ColumnTableModel columns(&playhead);
+        PixelHistoryModel history;
+        RowsModel<int> rows({}, nullptr);
+        QTest::failOnWarning(QRegularExpression(QStringLiteral("QModelIndex")));
+        for (QAbstractItemModel *model :
+             std::initializer_list<QAbstractItemModel *>{&columns, &history, &rows}) {
+            QTableView table;
+            table.setModel(model);
+            table.show();
+            QTest::keyClick(&table, Qt::Key_C, Qt::ControlModifier); // asks for data of no index
+        }
     }
 
     void hasARowForEachColumnOfAllTriangles()
