@@ -21,6 +21,18 @@ int layoutVersion() { return 4 * 100 + int(panels().size()); }
 /// The settings key of a workspace's layout.
 QString keyOf(Workspace workspace) { return u"workspaces/layout%1"_s.arg(int(workspace)); }
 
+/// Drops a panel that is being dragged: restoreState() crashes before that.
+void dropDraggedPanel()
+{
+    QWidget *dragged = QWidget::mouseGrabber();
+    if (!qobject_cast<QDockWidget *>(dragged))
+        return;
+    const QPoint at = QCursor::pos();
+    QMouseEvent release(QEvent::MouseButtonRelease, dragged->mapFromGlobal(at), at, Qt::LeftButton,
+                        Qt::NoButton, {});
+    QCoreApplication::sendEvent(dragged, &release);
+}
+
 } // namespace
 
 Workspaces::Workspaces(QMainWindow *window, FirstArrangement *first, QObject *parent)
@@ -84,6 +96,7 @@ void Workspaces::showCurrent()
 void Workspaces::enter(Workspace workspace)
 {
     emit leaving();
+    dropDraggedPanel();
     keepCurrent();
     m_current = workspace;
     m_window->setUpdatesEnabled(false);

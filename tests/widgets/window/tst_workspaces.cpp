@@ -392,7 +392,7 @@ private slots:
     }
 
     /// Also where a panel that was just dropped would still glide into its place.
-    void aWorkspaceIsLeftRightAfterAPanelWasDropped()
+    void aWorkspaceIsLeftWhileAPanelIsDraggedAndRightAfterItWasDropped()
     {
         const auto window = windowOf(QSize(1016, 600));
         const auto drag = [&window](const char *name, const QPoint &to) {
@@ -409,6 +409,13 @@ private slots:
         drag("columnsDock", {700, 150});
         goTo(*window, "compareWorkspace");
         QCOMPARE(current(*window), u"compareWorkspace"_s);
+        QDockWidget *dock = dockNamed(*window, "hardCasesDock");
+        QTest::mousePress(dock, Qt::LeftButton, {}, {40, 8});
+        QTest::mouseMove(dock, {60, 30});
+        QTest::mouseMove(dock, {200, 100});
+        goTo(*window, "measureWorkspace");
+        QTest::mouseRelease(dock, Qt::LeftButton, {}, {200, 100});
+        goTo(*window, "compareWorkspace");
         QCOMPARE(window->size(), QSize(1016, 600));
     }
 
