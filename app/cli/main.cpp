@@ -16,10 +16,7 @@ const std::vector<Command> &commands()
 {
     static const std::vector<Command> table = {
         {u"render"_s, u"Draw a scene to a picture or as text."_s, render},
-        {u"trace"_s,
-         u"Print the numbers that the drawing used. Beside KEY stand KEY_exact and KEY_error: in a "
-         "pixel's row the truth there, in other rows what the same run gives in exact numbers."_s,
-         trace},
+        {u"trace"_s, u"Print the numbers that the drawing used."_s, trace},
         {u"pixel"_s, u"Tell what wrote a pixel, or what refuses it."_s, pixel},
         {u"methods"_s, u"List the methods of scan conversion, or describe one in full."_s,
          listMethods},

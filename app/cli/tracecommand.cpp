@@ -181,7 +181,9 @@ ExitCode trace(const Command &command, const QStringList &arguments)
                     u"format"_s});
     line.addOption(
         {u"columns"_s,
-         u"Print these columns alone, named as in the header of the CSV or of the text: a,b,c."_s,
+         u"Print these columns alone, named as in the header of the CSV or of the text: a,b,c. "
+         "In a pixel's row KEY_exact is the truth there, in others what the same run gives in "
+         "exact numbers."_s,
          u"names"_s});
     line.addOption({u"decimal"_s, u"In text, print 5.129630 instead of 5 7/54."_s});
     line.addOption(
