@@ -15,7 +15,7 @@ namespace pixelplumb {
 namespace {
 
 constexpr double largestProved = 65536; // px
-constexpr double levels = 256;
+constexpr double levelsOfAByte = 256;
 
 double pixels(Lattice coordinate) { return double(coordinate) / double(unitsPerPixel); }
 
@@ -71,10 +71,10 @@ LineErrors errorsOf(const Vertex &from, const Vertex &to, double steps, Arithmet
     const double byParameter = unit * (rise * (steps + 3) + 3 * across);
     constexpr double ofProducts = 1.001;
     const double ofHalf = unit * (across + 1);
-    return {
-        ofProducts * (std::max({byAdding, byEquation, byParameter}) + ofHalf),
-        ofProducts
-            * (errorLimit(arithmetic, steps + 1, levels, levels) + unit * levels * (steps + 6))};
+    return {ofProducts * (std::max({byAdding, byEquation, byParameter}) + ofHalf),
+            ofProducts
+                * (errorLimit(arithmetic, steps + 1, levelsOfAByte, levelsOfAByte)
+                   + unit * levelsOfAByte * (steps + 6))};
 }
 
 std::array<LevelRange, 3> levelsAt(const Vertex &from, const Vertex &to, double share, double error)

@@ -180,9 +180,9 @@ QStringList GradedSubmission::lostInvariants() const
                             });
         if (isLost && !scene.brokenInvariants)
             lost += QStringLiteral(QT_TRANSLATE_NOOP("core", "did not draw what invariants ask"));
-        for (const QString &name :
+        for (const QString &broken :
              isLost ? scene.brokenInvariants.value_or(QStringList()) : QStringList())
-            lost += u"breaks "_s + name;
+            lost += u"breaks "_s + broken;
     }
     lost.removeDuplicates();
     return lost;

@@ -15,7 +15,6 @@
 #include <boost/crc.hpp>
 #include <unistd.h>
 
-#include <cmath>
 #include <random>
 #include <utility>
 
@@ -215,55 +214,6 @@ private slots:
             QVERIFY2(read, text);
             QCOMPARE(read->colours, spaced->colours);
         }
-    }
-
-    /// ⌊255·v/greatest + ½⌋, in text and binary, of one byte and of two.
-    void levelsAreSpreadOverTheBytesWhateverTheirGreatest()
-    {
-        const auto greyAt = [](const QByteArray &content) {
-            const auto read = parsePicture(content, {});
-            return read ? int(read->colours[0].channels[1]) : -1;
-        };
-        for (const int greatest : {1, 7, 100, 254, 255, 1000, 65535}) {
-            for (int level = 0; level <= greatest; level += std::max(1, greatest / 30)) {
-                const QByteArray size = " 1 1 " + QByteArray::number(greatest) + '\n';
-                const QByteArray text = QByteArray::number(level) + ' ';
-                const QByteArray binary = bytesOf(quint32(level)).last(greatest > 255 ? 2 : 1);
-                const int expected = int(std::floor(255.0 * level / greatest + 0.5));
-                QCOMPARE(greyAt("P2" + size + text), expected);
-                QCOMPARE(greyAt("P3" + size + text + text + text), expected);
-                QCOMPARE(greyAt("P5" + size + binary), expected);
-                QCOMPARE(greyAt("P6" + size + binary + binary + binary), expected);
-            }
-        }
-        QCOMPARE(parsePicture("P5 1 1 100 \xc8", u"p"_s).error().message(),
-                 u"p: no picture: a broken PGM: a level of 200 in line 1 of its "
-                 "pixels; its header says 100 at most; expected a whole file"_s);
-    }
-
-    /// Level (x, y) is 257·((37x + 159y + 11xy) mod 256).
-    void aPngOf16BitsIsReadAlsoWhereItIsInterlaced()
-    {
-        const auto read = parsePicture(
-            QByteArray::fromBase64(
-                "iVBORw0KGgoAAAANSUhEUgAAAAUAAAAFEAAAAAGPk5XsAAAARklEQVR42mNgYGCYMoWhpubAAQYvLwY5"
-                "OQY7uy1btLQYVFXz8xkqK9+/Zzh7FsiaP//8+f//9fXj4xnu3lVWzsxcv/7rVwB/sRkp1fjSYwAAAABJ"
-                "RU5ErkJggg=="),
-            {});
-        QVERIFY(read);
-        for (int y = 0; y < 5; ++y)
-            for (int x = 0; x < 5; ++x)
-                QCOMPARE(int(read->colours[read->placeOf(x, y)].channels[0]),
-                         (37 * x + 159 * y + 11 * x * y) % 256);
-    }
-
-    void aBmpOfFiveBitsAChannelIsRefused()
-    {
-        QByteArray file;
-        QBuffer buffer(&file);
-        picture().convertToFormat(QImage::Format_RGB32).save(&buffer, "bmp");
-        file[28] = 16;
-        QVERIFY(parsePicture(file, {}).error().message().contains(u"a BMP of 16 bits a pixel"));
     }
 
     void coloursAreThoseThatAreStored_data()

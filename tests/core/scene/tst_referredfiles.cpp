@@ -1,15 +1,19 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/scene/fields/referredfiles.h"
 #include "core/scene/files/fileaccess.h"
+#include "core/scene/files/picturereader.h"
 #include "tests/support/scenes/scenetext.h"
 #include "tests/support/testprogram.h"
 
+#include <QBuffer>
 #include <QDir>
 #include <QImage>
 #include <QTemporaryDir>
 #include <QTest>
 
 #include <sys/stat.h>
+
+#include <cmath>
 
 namespace tst_referredfiles {
 
@@ -51,6 +55,58 @@ private slots:
         QCOMPARE(materials[0].texture->texel(1, 0), (Colour{{20, 1, 7}}));
         QCOMPARE(materials[0].texture->texel(0, 2), (Colour{{0, 0, 7}}));
         QCOMPARE(materials[0].texture, materials[1].texture); // read once
+    }
+
+    /// ⌊255·v/greatest + ½⌋, in text and binary, of one byte and of two.
+    void levelsAreSpreadOverTheBytesWhateverTheirGreatest()
+    {
+        const auto greyIn = [](const QByteArray &content) {
+            const QImage picture = PictureReader(content).read();
+            return picture.isNull() ? -1 : qGreen(picture.pixel(0, 0));
+        };
+        for (const int greatest : {1, 7, 100, 254, 255, 1000, 65535}) {
+            for (int level = 0; level <= greatest; level += std::max(1, greatest / 30)) {
+                const QByteArray size = " 1 1 " + QByteArray::number(greatest) + '\n';
+                const QByteArray text = QByteArray::number(level) + ' ';
+                QByteArray binary(greatest > 255 ? 2 : 1, char(level));
+                binary.front() = char(greatest > 255 ? level >> 8 : level);
+                const int expected = int(std::floor(255.0 * level / greatest + 0.5));
+                QCOMPARE(greyIn("P2" + size + text), expected);
+                QCOMPARE(greyIn("P3" + size + text + text + text), expected);
+                QCOMPARE(greyIn("P5" + size + binary), expected);
+                QCOMPARE(greyIn("P6" + size + binary + binary + binary), expected);
+            }
+        }
+        PictureReader reader("P5 1 1 100 \xc8");
+        QVERIFY(reader.read().isNull());
+        QCOMPARE(
+            reader.fault(),
+            u"a broken PGM: a level of 200 in line 1 of its pixels; its header says 100 at most"_s);
+    }
+
+    /// Level (x, y) is 257·((37x + 159y + 11xy) mod 256).
+    void aPngOf16BitsIsReadAlsoWhereItIsInterlaced()
+    {
+        const QImage picture
+            = PictureReader(QByteArray::fromBase64("iVBORw0KGgoAAAANSUhEUgAAAAUAAAAFEAAAAAGPk5XsAAA"
+                                                   "ARklEQVR42mNgYGCYMoWhpubAAQYvLwY5"
+                                                   "OQY7uy1btLQYVFXz8xkqK9+/Zzh7FsiaP//8+f//"
+                                                   "9fXj4xnu3lVWzsxcv/7rVwB/sRkp1fjSYwAAAABJ"
+                                                   "RU5ErkJggg=="))
+                  .read();
+        QCOMPARE(picture.size(), QSize(5, 5));
+        for (int y = 0; y < 5; ++y)
+            for (int x = 0; x < 5; ++x)
+                QCOMPARE(qRed(picture.pixel(x, y)), (37 * x + 159 * y + 11 * x * y) % 256);
+    }
+
+    void aBmpOfFiveBitsAChannelIsRefused()
+    {
+        QByteArray file;
+        QBuffer buffer(&file);
+        QImage(4, 3, QImage::Format_RGB32).save(&buffer, "bmp");
+        file[28] = 16;
+        QVERIFY(PictureReader(file).fault().contains(u"a BMP of 16 bits a pixel"));
     }
 
     void aSceneThatIsSavedElsewhereFindsItsFiles()
