@@ -32,11 +32,12 @@ public:
     /// A sample's levels, which are told where its run has no such numbers, too.
     void addLevels(const std::vector<NumberDescription> &numbers, const SampleRecord &sample)
     {
-        for (std::size_t i = sample.cells.size(); i < numbers.size(); ++i) {
+        for (std::size_t i = 0; i < numbers.size(); ++i) {
             const auto channel = std::ranges::find(channelLetters, numbers[i].id);
-            m_hasOthers[i] = m_hasOthers[i]
-                || (channel != channelLetters.end()
-                    && !sample.colour[std::size_t(channel - channelLetters.begin())].isNone());
+            const bool hasCell = i < sample.cells.size() && !sample.cells[i].isNone();
+            if (channel != channelLetters.end() && !hasCell)
+                m_hasOthers[i] = m_hasOthers[i]
+                    || !sample.colour[std::size_t(channel - channelLetters.begin())].isNone();
         }
     }
     QStringList texts() const

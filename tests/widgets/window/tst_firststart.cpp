@@ -39,12 +39,22 @@ private slots:
             QVERIFY2(shownTitles().contains(QString::fromUtf8(title)), title);
     }
 
-    void aSmallScreenShowsThemAllInFewerRows()
+    void aColumnsFormulasAreReadWholeOnASmallScreen()
+    {
+        m_window = windowOf(QSize(1024, 640));
+        const auto *formulas
+            = named<QWidget>(*m_window, "formulaPanel")->findChild<QTextBrowser *>();
+        QVERIFY(formulas->toPlainText().contains(u"Δ"));
+        QTRY_COMPARE(formulas->verticalScrollBar()->maximum(), 0);
+    }
+
+    /// So that the column's formulas are read whole, too.
+    void aSmallScreenShowsThemAllInThreeRows()
     {
         m_window = windowOf(QSize(1016, 600)); // of 1024 × 640
         QTRY_COMPARE(table().horizontalScrollBar()->maximum(), 0);
         QTRY_VERIFY(table().viewport()->height()
-                    >= 4 * table().verticalHeader()->defaultSectionSize());
+                    >= 3 * table().verticalHeader()->defaultSectionSize());
         QVERIFY(shownTitles().contains(u"first B"_s));
         QTRY_VERIFY(2 * m_window->parts().canvas->width() >= m_window->width() - 16);
     }
