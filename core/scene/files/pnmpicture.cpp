@@ -208,10 +208,9 @@ void PnmPicture::readBinary(QImage &picture)
             if (level <= m_greatest)
                 return level;
             m_fault = u"a broken %1: a level of %2 in line %3 of its pixels; its "
-                      "header says %4 at most"_s.arg(kind())
-                          .arg(level)
-                          .arg(line + 1)
-                          .arg(m_greatest);
+                      "header says %4 at most"_s.arg(kind(), QString::number(level),
+                                                     QString::number(line + 1),
+                                                     QString::number(m_greatest));
             return -1;
         },
         picture);
