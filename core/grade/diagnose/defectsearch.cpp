@@ -267,19 +267,23 @@ bool DefectSearch::tryPairs()
     const bool isDoneAgain = forPairs([&](const DefectSet &pair) {
         if (leastAlone(pair) > mostPaired)
             return;
-        const auto estimate = m_matcher.estimate(pair, mostOf(pair));
+        const std::int64_t most = mostOf(pair);
+        const auto estimate = m_matcher.estimate(pair, most);
         if (!estimate)
             examine(pair);
-        else if (*estimate < mostOf(pair))
+        else if (*estimate < most)
             estimated.push_back({pair, *estimate});
     });
-    std::ranges::stable_sort(estimated, {}, &SetMatch::distance);
-    for (const SetMatch &near : estimated) {
-        if (isDoneAgain && near.distance <= limit() + limit() / 8)
-            examine(near.set);
-    }
     if (!isDoneAgain)
         return false;
+    std::ranges::stable_sort(estimated, {}, &SetMatch::distance);
+    for (const SetMatch &near : estimated) {
+        if (near.distance > limit() + limit() / 8)
+            break; // limit() never grows
+        examine(near.set);
+        if (!goesOn(m_listener, {JobPhase::Judging, m_tried, m_sets}))
+            return false;
+    }
     explainNearest(true);
     if (m_exact.empty() && m_open.empty())
         tryChoices();
