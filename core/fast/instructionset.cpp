@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/fast/instructionset.h"
 
-#include <array>
-
 namespace pixelplumb {
 
 std::string_view nameOf(InstructionSet set)
@@ -22,18 +20,6 @@ std::string_view nameOf(InstructionSet set)
         return "avx512-vbmi";
     }
     return {};
-}
-
-std::optional<InstructionSet> instructionSetNamed(std::string_view name)
-{
-    constexpr std::array sets
-        = {InstructionSet::Scalar, InstructionSet::Neon,   InstructionSet::Sse4,
-           InstructionSet::Avx2,   InstructionSet::Avx512, InstructionSet::Avx512Vbmi};
-    for (const InstructionSet set : sets) {
-        if (nameOf(set) == name)
-            return set;
-    }
-    return std::nullopt;
 }
 
 } // namespace pixelplumb

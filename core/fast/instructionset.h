@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <optional>
 #include <string_view>
 #include <vector>
 
@@ -20,7 +19,6 @@ enum class InstructionSet {
 
 /// The name in reports and on the command line: "scalar", "neon", "sse4", …
 std::string_view nameOf(InstructionSet set);
-std::optional<InstructionSet> instructionSetNamed(std::string_view name);
 
 /// The sets that this machine supports, the best last. Never empty.
 const std::vector<InstructionSet> &supportedInstructionSets();

@@ -72,9 +72,4 @@ std::optional<Arithmetic> arithmeticNamed(std::string_view name)
     return choiceNamed(allArithmetics, name);
 }
 
-std::optional<ByteRounding> byteRoundingNamed(std::string_view name)
-{
-    return choiceNamed(allByteRoundings, name);
-}
-
 } // namespace pixelplumb

@@ -49,7 +49,6 @@ std::string_view nameOf(Arithmetic arithmetic);
 std::string_view nameOf(ByteRounding rounding);
 std::optional<FillRule> fillRuleNamed(std::string_view name);
 std::optional<Arithmetic> arithmeticNamed(std::string_view name);
-std::optional<ByteRounding> byteRoundingNamed(std::string_view name);
 
 /// The settings under which a method draws.
 struct ScanSettings {

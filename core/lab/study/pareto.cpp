@@ -54,21 +54,6 @@ bool isAsExact(const ParetoPoint &a, const ParetoPoint &b)
 
 std::span<const ErrorAxis> errorAxes() { return axes; }
 
-QString nameOf(ErrorClass errorClass)
-{
-    switch (errorClass) {
-    case ErrorClass::Positive:
-        break;
-    case ErrorClass::ZeroObserved:
-        return u"observed"_s;
-    case ErrorClass::ZeroTested:
-        return u"tested"_s;
-    case ErrorClass::ZeroProved:
-        return u"proved"_s;
-    }
-    return {};
-}
-
 const ErrorAxis *errorAxisNamed(const QString &id)
 {
     const auto *const found = std::ranges::find_if(

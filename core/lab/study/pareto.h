@@ -25,7 +25,6 @@ enum class ErrorClass : std::uint8_t {
     ZeroTested, ///< for a fast kernel: proved for the plain one, whose bytes it is tested to write
     ZeroProved,
 };
-QString nameOf(ErrorClass errorClass); ///< "observed", "tested", "proved"; empty: above 0
 
 /// A contender on the chart.
 struct ParetoPoint {
