@@ -10,7 +10,9 @@
 #include "core/runs/scenerun.h"
 
 #include <algorithm>
+#include <array>
 #include <iterator>
+#include <limits>
 
 namespace pixelplumb {
 
@@ -40,15 +42,15 @@ public:
     void takeOff(const TriangleMargin &triangle)
     {
         const SampleBox box = triangle.reachIn(m_scene.frame);
+        const ThirdWeights ways = likeliestWays(triangle, box);
         for (std::int64_t y = box.firstY; y < box.endY; ++y) {
             for (std::int64_t x = box.firstX; x < box.endX; ++x) {
                 const std::size_t place = placeOf(x, y);
                 if (!isLookedFor(place))
                     continue;
-                m_pixels[place]
-                    = stateBelow(triangle.containmentOf(x, y), place, [&](const Colour &colour) {
-                          return triangle.mayHave(colour, x, y);
-                      });
+                m_pixels[place] = stateBelow(
+                    triangle.containmentOf(x, y, ways), place,
+                    [&](const Colour &colour) { return triangle.mayHave(colour, x, y); });
             }
         }
     }
@@ -123,6 +125,32 @@ private:
     {
         return m_found.covered[place] == 0
             || (m_found.hasColours && m_found.colours[place] == m_scene.frame.background);
+    }
+    /// A program keeps to one way of computing the third weight: those that explain the most of
+    /// what the rule would decide otherwise. What they do not explain, rounding does not.
+    ThirdWeights likeliestWays(const TriangleMargin &triangle, const SampleBox &box) const
+    {
+        std::array<int, std::numeric_limits<ThirdWeights>::digits> explained = {};
+        for (std::int64_t y = box.firstY; y < box.endY; ++y) {
+            for (std::int64_t x = box.firstX; x < box.endX; ++x) {
+                const std::size_t place = placeOf(x, y);
+                if (!isLookedFor(place))
+                    continue;
+                const bool isDrawn = m_found.hasColours
+                    ? triangle.mayHave(m_found.colours[place], x, y)
+                    : m_found.covered[place] != 0;
+                if (isDrawn == (triangle.containmentOf(x, y, {}) == Containment::Inside))
+                    continue;
+                const ThirdWeights ways = triangle.deviatingAt(x, y);
+                for (std::size_t way = 0; way < explained.size(); ++way)
+                    explained[way] += int(ways >> way & 1);
+            }
+        }
+        const int most = *std::ranges::max_element(explained);
+        ThirdWeights likeliest = 0;
+        for (std::size_t way = 0; way < explained.size(); ++way)
+            likeliest |= ThirdWeights(explained[way] == most) << way;
+        return likeliest;
     }
     template <class MayHave>
     PixelState stateBelow(Containment where, std::size_t place, const MayHave &mayHave) const

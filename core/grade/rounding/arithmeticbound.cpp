@@ -36,22 +36,18 @@ double commonUnit(std::initializer_list<Lattice> numbers)
     return bits == 0 ? std::ldexp(1.0, 62) : double(bits & -bits);
 }
 
-/// Whether 1 − α − β has this edge function's sign, however a program divides and in whichever
-/// order it subtracts.
-template <class Float>
-bool hasSignOf(double function, double alpha, double beta, double area)
+/// Calls visit(third) with 1 − α − β by quotients and by the reciprocal of the area, in each order.
+/// The weights are Weights, what is computed of them Sums: 1.0 - a - b of floats is a double.
+template <class Weight, class Sum, class Visit>
+void visitThirdWeights(double alpha, double beta, double area, const Visit &visit)
 {
-    const auto sign = [](auto number) { return int(number > 0) - int(number < 0); };
-    const Float inverse = Float(1) / Float(area);
-    for (const auto &[a, b] : {std::pair(Float(alpha) / Float(area), Float(beta) / Float(area)),
-                               std::pair(Float(alpha) * inverse, Float(beta) * inverse)}) {
-        for (const Float third :
-             {Float(Float(1) - a) - b, Float(Float(1) - b) - a, Float(1) - Float(a + b)}) {
-            if (sign(third) != sign(function))
-                return false;
-        }
+    const Weight inverse = Weight(1) / Weight(area);
+    for (const auto &[a, b] : {std::pair(Weight(alpha) / Weight(area), Weight(beta) / Weight(area)),
+                               std::pair(Weight(alpha) * inverse, Weight(beta) * inverse)}) {
+        for (const Sum third :
+             {Sum(Sum(1) - a) - b, Sum(Sum(1) - b) - a, Sum(1) - Sum(Weight(a + b))})
+            visit(third);
     }
-    return true;
 }
 
 } // namespace
@@ -183,28 +179,55 @@ Containment ArithmeticBound::containmentWithin(const Sample &sample,
     return found;
 }
 
-/// Whether each weight, also as 1 − α − β, has its edge function's sign in every rounding.
-bool ArithmeticBound::hasThirdWeights(const Sample &sample) const
+ThirdWeights ArithmeticBound::deviatingAt(const Sample &sample,
+                                          const std::optional<BoundaryRule> &rule) const
 {
+    ThirdWeights deviating = 0;
     for (std::size_t i = 0; i < 3; ++i) {
-        if (std::abs(sample.functions[i]) > 8 * m_unit * m_area)
+        const double function = sample.functions[i];
+        const std::size_t next = (i + 1) % 3;
+        const std::size_t last = (i + 2) % 3;
+        const auto isRefused = [&](std::size_t edge) {
+            return sample.functions[edge] < 0
+                || (sample.functions[edge] == 0 && !sample.areOwned[edge]);
+        };
+        // What the other two refuse is refused whatever the third weight.
+        if (std::abs(function) > 8 * m_unit * m_area
+            || (rule && (isRefused(next) || isRefused(last))))
             continue;
-        const double alpha = sample.functions[(i + 1) % 3];
-        const double beta = sample.functions[(i + 2) % 3];
-        const bool isSingle = m_unit > std::ldexp(1.0, -53);
-        if (!hasSignOf<double>(sample.functions[i], alpha, beta, m_area)
-            || (isSingle && !hasSignOf<float>(sample.functions[i], alpha, beta, m_area)))
-            return false;
+        ThirdWeights way = ThirdWeights(1) << (i * 18);
+        const auto compare = [&](auto third) {
+            const bool isOther = rule
+                ? (third < 0 || (third == 0 && !sample.areOwned[i])) != isRefused(i)
+                : (third > 0) != (function > 0) || (third < 0) != (function < 0);
+            deviating |= isOther ? way : 0;
+            way <<= 1;
+        };
+        visitThirdWeights<double, double>(sample.functions[next], sample.functions[last], m_area,
+                                          compare);
+        if (m_unit == std::ldexp(1.0, -53))
+            continue;
+        visitThirdWeights<float, float>(sample.functions[next], sample.functions[last], m_area,
+                                        compare);
+        visitThirdWeights<float, double>(sample.functions[next], sample.functions[last], m_area,
+                                         compare);
     }
-    return true;
+    return deviating;
+}
+
+ThirdWeights ArithmeticBound::deviatingAt(std::int64_t x, std::int64_t y,
+                                          const BoundaryRule &rule) const
+{
+    return m_isProved && m_hasExactFunctions ? deviatingAt(sampleAt(x, y, rule), rule) : 0;
 }
 
 Containment ArithmeticBound::byFunctions(const Sample &sample,
-                                         const std::optional<BoundaryRule> &rule) const
+                                         const std::optional<BoundaryRule> &rule,
+                                         ThirdWeights ways) const
 {
     if (m_hasExactFunctions)
-        return hasThirdWeights(sample) ? containmentWithin(sample, {}, rule)
-                                       : Containment::Undecided;
+        return (deviatingAt(sample, rule) & ways) == 0 ? containmentWithin(sample, {}, rule)
+                                                       : Containment::Undecided;
     if (m_area <= 2 * m_functionError)
         return Containment::Undecided;
     const double error = 2 * m_functionError + 4 * m_unit * m_area; // of the third weight, too
@@ -255,12 +278,13 @@ Containment ArithmeticBound::byWalk(const Sample &sample, SpanAxis walk, std::in
 }
 
 Containment ArithmeticBound::containmentOf(std::int64_t x, std::int64_t y,
-                                           const std::optional<BoundaryRule> &rule) const
+                                           const std::optional<BoundaryRule> &rule,
+                                           ThirdWeights ways) const
 {
     if (!m_isProved)
         return Containment::Undecided;
     const Sample sample = sampleAt(x, y, rule);
-    const Containment found = byFunctions(sample, rule);
+    const Containment found = byFunctions(sample, rule, ways);
     const bool isAgreed = byWalk(sample, SpanAxis::Column, x, rule) == found
         && byWalk(sample, SpanAxis::Row, y, rule) == found;
     return isAgreed ? found : Containment::Undecided;

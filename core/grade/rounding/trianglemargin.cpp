@@ -54,10 +54,10 @@ SampleBox TriangleMargin::reachIn(const FrameSpec &frame) const
                    : intersection(boundingBoxOf(m_triangle), samplesOf(windowOf(frame)));
 }
 
-Containment TriangleMargin::containmentOf(std::int64_t x, std::int64_t y) const
+Containment TriangleMargin::containmentOf(std::int64_t x, std::int64_t y, ThirdWeights ways) const
 {
     if (m_bound && m_hasArea)
-        return m_bound->containmentOf(x, y, m_rule);
+        return m_bound->containmentOf(x, y, m_rule, ways);
     if (m_bound)
         return mayBeOfSegment(x, y) ? Containment::Undecided : Containment::Outside;
     if (m_rule)

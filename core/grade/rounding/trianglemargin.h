@@ -27,7 +27,13 @@ public:
 
     /// The frame's samples that may be drawn.
     SampleBox reachIn(const FrameSpec &frame) const;
-    Containment containmentOf(std::int64_t x, std::int64_t y) const;
+    Containment containmentOf(std::int64_t x, std::int64_t y,
+                              ThirdWeights ways = allThirdWeights) const;
+    /// The ways that decide a sample otherwise than the scene's rule; none where edges are open.
+    ThirdWeights deviatingAt(std::int64_t x, std::int64_t y) const
+    {
+        return m_bound && m_hasArea && m_rule ? m_bound->deviatingAt(x, y, *m_rule) : 0;
+    }
     /// Whether all programs that evaluate edge functions draw the sample.
     bool isDrawnByFunctions(std::int64_t x, std::int64_t y) const;
     /// The colours that a drawn sample may have.

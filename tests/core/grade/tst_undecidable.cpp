@@ -67,6 +67,60 @@ private slots:
         QVERIFY(differing > 0 || arithmetic == Arithmetic::Float64);
     }
 
+    /// Barycentric programs on whole pixels, where nothing rounds but the third weight.
+    void aProgramThatSubtractsTheThirdWeightIsNeverWrong()
+    {
+        SeededRandom random(19);
+        std::int64_t differing = 0;
+        for (int i = 0; i < 150; ++i) {
+            Scene scene;
+            const auto vertex = [&] {
+                return Vertex{latticePixel(random.between(0, 63), random.between(0, 47)),
+                              random.colour()};
+            };
+            scene.triangles = {{{vertex(), vertex(), vertex()}}};
+            if (i % 3 == 0) // a vertical edge
+                scene.triangles[0].vertices[1].position.x
+                    = scene.triangles[0].vertices[2].position.x;
+            if (doubledArea(scene.triangles.front()) == 0)
+                continue;
+            const Picture right = pictureOf(scene);
+            for (std::size_t third = 0; third < 3; ++third) {
+                for (const bool isInDoubles : {false, true}) {
+                    const Picture found = withThirdWeight(scene, right, third, isInDoubles);
+                    const auto open = undecidablePixels(scene, right, found, {Leeway::Rule});
+                    differing += differingPixels(right, found);
+                    QCOMPARE(differenceOf(right, found, open).differing(), 0);
+                }
+            }
+        }
+        QVERIFY2(differing > 500, qPrintable(QString::number(differing)));
+    }
+
+    void aColumnThatIsMissingAltogetherIsWrong()
+    {
+        for (const std::array<int, 5> &each :
+             {std::array{11, 12, 58, 7, 40}, {34, 30, 56, 8, 42}}) {
+            const auto [x, y, last, bottom, top] = each;
+            Scene scene;
+            scene.triangles = {{{Vertex{latticePixel(x, y), {{255, 0, 0}}},
+                                 Vertex{latticePixel(last, bottom), {{0, 255, 0}}},
+                                 Vertex{latticePixel(last, top), {{0, 0, 255}}}}}};
+            const Picture right = pictureOf(scene);
+            Picture found = right;
+            for (int row = bottom; row <= top; ++row) {
+                const std::size_t place = right.placeOf(last, int(pictureLine(scene.frame, row)));
+                QCOMPARE(int(right.covered[place]), 1);
+                found.colours[place] = scene.frame.background;
+            }
+            coverAllBut(scene.frame.background, found);
+            const auto open = undecidablePixels(scene, right, found, {Leeway::Rule});
+            // No way of computing the third weight loses more than three quarters of them.
+            const auto wrong = differenceOf(right, found, open).differing();
+            QVERIFY2(wrong * 4 > top - bottom, qPrintable(u"%1: %2"_s.arg(last).arg(wrong)));
+        }
+    }
+
     void whatIsWrongByAPixelOrALevelStaysWrong()
     {
         Scene scene;
@@ -100,6 +154,37 @@ private slots:
         QVERIFY(changed > 5000);
         // Only ties, and pixels at the tips, where spans are thin, are undecidable.
         QVERIFY2(wrong * 100 >= changed * 95, qPrintable(QString::number(wrong)));
+    }
+
+private:
+    /// The right picture without the samples in which `1 - a - b` is below 0: the weight of vertex
+    /// `third`, of floats, subtracted as floats or as C subtracts floats from 1.0.
+    static Picture withThirdWeight(const Scene &scene, const Picture &right, std::size_t third,
+                                   bool isInDoubles)
+    {
+        const auto &vertices = scene.triangles.front().vertices;
+        const auto px = [&](std::size_t i) { return double(vertices[i % 3].position.x) / 256; };
+        const auto py = [&](std::size_t i) { return double(vertices[i % 3].position.y) / 256; };
+        const auto doubled = [](double ax, double ay, double bx, double by, double cx, double cy) {
+            return float((bx - ax) * (cy - ay) - (cx - ax) * (by - ay));
+        };
+        const float area = doubled(px(0), py(0), px(1), py(1), px(2), py(2));
+        Picture found = right;
+        for (int y = 0; y < scene.frame.height; ++y) {
+            for (int x = 0; x < scene.frame.width; ++x) {
+                const auto weight = [&](std::size_t i) { // of vertex i + 2
+                    return doubled(px(i), py(i), px(i + 1), py(i + 1), x, y) / area;
+                };
+                const float a = weight(third + 2);
+                const float b = weight(third);
+                const bool isLost = isInDoubles ? 1.0 - a - b < 0 : 1.F - a - b < 0;
+                if (isLost)
+                    found.colours[right.placeOf(x, int(pictureLine(scene.frame, y)))]
+                        = scene.frame.background;
+            }
+        }
+        coverAllBut(scene.frame.background, found);
+        return found;
     }
 };
 
