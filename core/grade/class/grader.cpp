@@ -72,6 +72,11 @@ double pointsInPart(const GradedCheck &check, const Picture &expected, const Pic
         : 0;
 }
 
+bool asksForColours(const AssignedScene &scene)
+{
+    return scene.points[std::size_t(Check::Colours)] > 0;
+}
+
 GradeVerdict verdictOf(const std::vector<GradedScene> &scenes)
 {
     std::size_t judged = 0;
@@ -130,11 +135,10 @@ GradedScene Grader::judge(std::size_t scene, const Delivery &delivery) const
             *graded.brokenInvariants += nameOf(invariant);
     }
     PictureDiff diff;
-    const bool wantsColours = asked.points[std::size_t(Check::Colours)] > 0;
     const auto add = [&graded](const QString &note) {
         graded.note = graded.note ? *graded.note + u"; "_s + note : note;
     };
-    if (delivery.picture && !delivery.picture->hasColours && wantsColours)
+    if (delivery.picture && !delivery.picture->hasColours && asksForColours(asked))
         add(u"a raster of characters has no colours"_s);
     if (delivery.picture && delivery.picture->isTransparent)
         add(u"the picture "_s + transparencyText());
@@ -209,8 +213,17 @@ Grader &Grader::bestFor(const std::vector<Delivery> &deliveries)
 std::optional<GradedWork> Grader::grade(const SubmissionEntry &entry, const std::stop_token &stop)
 {
     std::vector<Delivery> deliveries = deliveriesOf(entry, m_assignment, stop);
+    std::vector<std::optional<Picture>> delivered;
+    for (std::size_t scene = 0; scene < deliveries.size(); ++scene) {
+        delivered.push_back(deliveries[scene].picture);
+        // Colours that have no points are not judged: the picture counts as a raster.
+        if (deliveries[scene].picture && !asksForColours(m_assignment.scenes[scene]))
+            deliveries[scene].picture->hasColours = false;
+    }
     Grader &best = bestFor(deliveries);
     auto work = best.gradeIn(entry, std::move(deliveries), stop);
+    if (work)
+        work->pictures = std::move(delivered);
     if (work && &best != this)
         work->submission.convention = best.m_convention;
     return work;

@@ -288,6 +288,31 @@ private slots:
         QVERIFY(points < 10);
     }
 
+    void aPictureInWhiteIsRightWhereColoursHaveNoPoints()
+    {
+        const QTemporaryDir folder;
+        Assignment assignment = m_assignment;
+        assignment.scenes.resize(1);
+        assignment.scenes[0].points = {1, 10, 0, 0};
+        const QString own = folder.filePath(u"subs/ann/"_s);
+        QVERIFY(deliver(own, assignment));
+        const QString file = own + assignment.scenes[0].name + u".png"_s;
+        QImage image(file);
+        const QRgb background = image.pixel(0, 0);
+        for (int line = 0; line < image.height(); ++line) {
+            for (int x = 0; x < image.width(); ++x) {
+                if (image.pixel(x, line) != background)
+                    image.setPixelColor(x, line, Qt::white);
+            }
+        }
+        QVERIFY(image.save(file));
+        const auto report = gradeFolder(orderOf(folder, "results"), assignment);
+        const GradedSubmission &ann = (*report)->submissions.front();
+        QCOMPARE(ann.verdict, GradeVerdict::Right);
+        QCOMPARE(ann.points(), 11.0);
+        QVERIFY(ann.candidates.empty());
+    }
+
     void sharesAreExactHundredths()
     {
         const QTemporaryDir folder;
