@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/grade/try/scenelines.h"
 
+#include "core/frame/framenames.h"
 #include "core/scan/choicenames.h"
 
 #include <QTextStream>
@@ -33,10 +34,11 @@ Result<QByteArray> sceneLines(const Scene &scene)
             lines << ' ' << int(channel);
     };
     lines << "frame " << frame.width << ' ' << frame.height << "\norigin "
-          << (frame.origin == FrameOrigin::TopLeft ? "top-left" : "bottom-left") << "\nbackground";
+          << nameText(nameOf(frame.origin)) << "\ncentre " << nameText(nameOf(frame.pixelCentre))
+          << "\nbackground";
     writeColour(frame.background);
     lines << "\nrule " << nameText(nameOf(scene.settings.fillRule)) << '\n';
-    for (const Triangle &triangle : primitivesOnSamples(scene).triangles) {
+    for (const Triangle &triangle : scene.triangles) {
         lines << "triangle";
         for (const Vertex &vertex : triangle.vertices) {
             lines << ' ' << decimalOf(vertex.position.x) << ' ' << decimalOf(vertex.position.y);

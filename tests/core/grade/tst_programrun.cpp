@@ -2,6 +2,7 @@
 #include "core/grade/showntext.h"
 #include "core/grade/try/processtime.h"
 #include "core/grade/try/programclock.h"
+#include "core/grade/try/scenelines.h"
 #include "core/grade/try/studentoutput.h"
 #include "core/scene/files/fileaccess.h"
 #include "tests/support/programs/processes.h"
@@ -601,6 +602,17 @@ private slots:
         QCOMPARE(run.output, QByteArray("1048576\n"));
         QVERIFY(run.isByClock);
         QCOMPARE(processesWith(seconds), 0);
+    }
+
+    void linesHaveTheScenesOwnCoordinatesAndSayWhereCentresAre()
+    {
+        Scene scene;
+        scene.frame.pixelCentre = PixelCentre::Half;
+        scene.triangles = {{{Vertex{latticePixel(4, 5), {}}, Vertex{latticePixel(9, 5), {}},
+                             Vertex{latticePixel(4, 9), {}}}}};
+        const QByteArray lines = *sceneLines(scene);
+        QVERIFY2(lines.contains("\ncentre half\n"), lines.constData());
+        QVERIFY2(lines.contains("\ntriangle 4 5 0 0 0 9 5 0 0 0 4 9 0 0 0\n"), lines.constData());
     }
 
     void theAdaptersDrawWhatTheirScanConverterDraws_data()
