@@ -182,27 +182,36 @@ Grader &Grader::in(FrameConvention convention)
     return *other;
 }
 
-std::int64_t Grader::wrongIn(const std::vector<Delivery> &deliveries) const
+Grader::WrongPixels Grader::wrongIn(const std::vector<Delivery> &deliveries) const
 {
-    std::int64_t wrong = 0;
+    WrongPixels wrong;
     for (std::size_t scene = 0; scene < deliveries.size(); ++scene) {
-        if (const auto &found = deliveries[scene].picture)
-            wrong += differenceOf(m_expected[scene], *found, leftOpen(scene, *found)).differing();
+        if (const auto &found = deliveries[scene].picture) {
+            const PictureDiff diff
+                = differenceOf(m_expected[scene], *found, leftOpen(scene, *found));
+            wrong.coverage += diff.count(Difference::Missing) + diff.count(Difference::Extra);
+            wrong.all += diff.differing();
+        }
     }
     return wrong;
 }
 
 Grader &Grader::bestFor(const std::vector<Delivery> &deliveries)
 {
-    const std::int64_t own = wrongIn(deliveries);
-    if (m_assignment.convention == Convention::Asked || own == 0)
+    const WrongPixels own = wrongIn(deliveries);
+    if (m_assignment.convention == Convention::Asked || own.all == 0)
         return *this;
     Grader *best = this;
-    std::int64_t least = own / 2 + 1; // as many or more are no convention, but a mistake
+    WrongPixels least = own;
     for (const FrameConvention convention : allFrameConventions) {
         Grader &other = in(convention);
-        const std::int64_t wrong = &other == this ? own : other.wrongIn(deliveries);
-        if (wrong < least) {
+        const WrongPixels wrong = other.wrongIn(deliveries);
+        // More than half as many is no convention, but a mistake. Levels tell where nothing else
+        // does.
+        const bool isConvention = own.coverage > 0
+            ? 2 * wrong.coverage <= own.coverage
+            : wrong.coverage == 0 && 2 * wrong.all <= own.all;
+        if (isConvention && wrong < least) {
             best = &other;
             least = wrong;
         }

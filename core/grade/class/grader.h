@@ -42,9 +42,15 @@ public:
     GradedWork ungraded(const SubmissionEntry &entry, const QString &error) const;
 
 private:
-    /// The grader by whose convention these have the fewest wrong pixels, if it is clearly better.
+    struct WrongPixels {
+        std::int64_t coverage = 0; ///< missing or extra
+        std::int64_t all = 0;
+
+        friend auto operator<=>(const WrongPixels &, const WrongPixels &) = default;
+    };
+    WrongPixels wrongIn(const std::vector<Delivery> &deliveries) const;
+    /// The grader by whose convention these cover the fewest wrong pixels, if it is clearly better.
     Grader &bestFor(const std::vector<Delivery> &deliveries);
-    std::int64_t wrongIn(const std::vector<Delivery> &deliveries) const;
     std::optional<GradedWork> gradeIn(const SubmissionEntry &entry,
                                       std::vector<Delivery> deliveries,
                                       const std::stop_token &stop);

@@ -108,6 +108,21 @@ private slots:
                  isAsked ? GradeVerdict::Right : GradeVerdict::Wrong);
     }
 
+    void theConventionIsFoundBesideWrongLevels()
+    {
+        const auto any = readAssignment(assignmentWith(R"("convention": "any", )"));
+        Assignment truncated = *any;
+        truncated.scenes[0].scene.settings.rounding = ByteRounding::Truncate;
+        const QTemporaryDir folder;
+        QVERIFY(
+            deliver(folder, u"ann/one.ppm"_s, pictureIn(truncated, FrameConvention::OtherOrigin)));
+        const GradedSubmission graded = gradedBy(*any, folder);
+        QCOMPARE(graded.verdict, GradeVerdict::Wrong);
+        QCOMPARE(graded.convention, std::optional(FrameConvention::OtherOrigin));
+        QCOMPARE(graded.scenes.front().counts.count(Difference::Missing), 0);
+        QVERIFY(graded.scenes.front().counts.count(Difference::Colour) > 80);
+    }
+
     void aMistakeIsNoConvention()
     {
         const auto assignment = readAssignment(assignmentWith(R"("convention": "any", )"));
