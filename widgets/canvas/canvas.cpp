@@ -12,8 +12,6 @@
 #include "widgets/model/scenetracer.h"
 #include "widgets/model/studentpicture.h"
 
-#include <QtWidgets>
-
 namespace pixelplumb {
 
 namespace {

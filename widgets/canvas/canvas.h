@@ -9,8 +9,7 @@
 #include "widgets/canvas/imagehandles.h"
 #include "widgets/canvas/pointerreadout.h"
 
-#include <QTimer>
-#include <QWidget>
+#include <QtWidgets>
 
 namespace pixelplumb {
 

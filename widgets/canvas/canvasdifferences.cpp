@@ -3,8 +3,6 @@
 
 #include "widgets/look/framepainter.h"
 
-#include <QPainter>
-
 #include <cstring>
 #include <utility>
 

@@ -7,13 +7,10 @@
 #include "widgets/look/viewmapping.h"
 #include "widgets/model/studentpicture.h"
 
-#include <QImage>
-#include <QPalette>
+#include <QtGui>
 
 #include <array>
 #include <vector>
-
-class QPainter;
 
 namespace pixelplumb {
 

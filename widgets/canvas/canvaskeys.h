@@ -3,9 +3,7 @@
 
 #include "widgets/model/scenedocument.h"
 
-#include <QTimer>
-
-class QKeyEvent;
+#include <QtGui>
 
 namespace pixelplumb {
 

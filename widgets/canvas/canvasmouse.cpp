@@ -9,8 +9,6 @@
 #include "widgets/look/corewords.h"
 #include "widgets/model/playhead.h"
 
-#include <QtWidgets>
-
 #include <cstdlib>
 
 namespace pixelplumb {

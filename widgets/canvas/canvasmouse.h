@@ -4,12 +4,9 @@
 #include "widgets/canvas/canvasgesture.h"
 #include "widgets/model/scenedocument.h"
 
-#include <QMenu>
+#include <QtWidgets>
 
 #include <memory>
-
-class QMouseEvent;
-class QWheelEvent;
 
 namespace pixelplumb {
 

@@ -9,8 +9,6 @@
 #include "widgets/look/framepainter.h"
 #include "widgets/model/playhead.h"
 
-#include <QPainter>
-
 #include <algorithm>
 #include <cstring>
 #include <vector>

@@ -8,8 +8,7 @@
 #include "widgets/look/displayoptions.h"
 #include "widgets/look/viewmapping.h"
 
-#include <QColor>
-#include <QImage>
+#include <QtGui>
 
 #include <memory>
 

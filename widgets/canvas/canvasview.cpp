@@ -5,8 +5,6 @@
 #include "widgets/canvas/ruler.h"
 #include "widgets/model/playhead.h"
 
-#include <QtWidgets>
-
 #include <algorithm>
 #include <cmath>
 #include <utility>

@@ -4,13 +4,9 @@
 #include "widgets/look/viewmapping.h"
 #include "widgets/model/scenedocument.h"
 
-#include <QObject>
-#include <QPoint>
-#include <QRectF>
+#include <QtWidgets>
 
 #include <optional>
-
-class QWidget;
 
 namespace pixelplumb {
 

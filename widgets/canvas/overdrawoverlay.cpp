@@ -8,8 +8,6 @@
 #include "widgets/look/signs.h"
 #include "widgets/model/playhead.h"
 
-#include <QtWidgets>
-
 namespace pixelplumb {
 
 namespace {

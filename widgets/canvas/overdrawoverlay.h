@@ -3,8 +3,7 @@
 
 #include "core/compare/overdraw.h"
 
-#include <QImage>
-#include <QWidget>
+#include <QtWidgets>
 
 namespace pixelplumb {
 

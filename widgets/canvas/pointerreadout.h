@@ -3,9 +3,7 @@
 
 #include "widgets/canvas/canvasscene.h"
 
-#include <QCoreApplication>
-#include <QPoint>
-#include <QString>
+#include <QtCore>
 
 #include <cstddef>
 #include <memory>

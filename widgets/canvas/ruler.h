@@ -4,13 +4,10 @@
 #include "widgets/look/signs.h"
 #include "widgets/look/viewmapping.h"
 
-#include <QFontMetricsF>
-#include <QRectF>
+#include <QtGui>
 
 #include <span>
 #include <vector>
-
-class QPainter;
 
 namespace pixelplumb {
 

@@ -5,8 +5,6 @@
 #include "widgets/look/numberformat.h"
 #include "widgets/look/parts.h"
 
-#include <QtWidgets>
-
 namespace pixelplumb {
 
 FrameDialog::FrameDialog(const FrameSpec &frame, QWidget *parent)

@@ -3,13 +3,7 @@
 
 #include "core/frame/framespec.h"
 
-#include <QDialog>
-
-class QComboBox;
-class QDialogButtonBox;
-class QFormLayout;
-class QLabel;
-class QSpinBox;
+#include <QtWidgets>
 
 namespace pixelplumb {
 

@@ -5,8 +5,6 @@
 #include "widgets/model/playhead.h"
 #include "widgets/model/steptext.h"
 
-#include <QtWidgets>
-
 namespace pixelplumb {
 
 namespace {

@@ -1,16 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <QDialog>
-#include <QPoint>
+#include <QtWidgets>
 
 #include <cstdint>
 #include <optional>
 #include <variant>
-
-class QDialogButtonBox;
-class QLabel;
-class QLineEdit;
 
 namespace pixelplumb {
 

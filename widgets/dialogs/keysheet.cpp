@@ -5,8 +5,6 @@
 #include "widgets/look/menuaction.h"
 #include "widgets/look/parts.h"
 
-#include <QtWidgets>
-
 namespace pixelplumb {
 
 using namespace Qt::StringLiterals;

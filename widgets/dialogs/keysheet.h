@@ -1,10 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <QDialog>
-#include <QList>
-
-class QMenu;
+#include <QtWidgets>
 
 namespace pixelplumb {
 

@@ -3,8 +3,6 @@
 
 #include "widgets/look/parts.h"
 
-#include <QtWidgets>
-
 namespace pixelplumb {
 
 namespace {

@@ -3,13 +3,7 @@
 
 #include "widgets/dialogs/scenelook.h"
 
-#include <QDialog>
-
-class QBoxLayout;
-class QDialogButtonBox;
-class QLabel;
-class QPushButton;
-class QTreeView;
+#include <QtWidgets>
 
 namespace pixelplumb {
 

@@ -1,13 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <QDialog>
-#include <QList>
-#include <QString>
-
-class QListWidget;
-class QTextBrowser;
-class QUrl;
+#include <QtWidgets>
 
 namespace pixelplumb {
 

@@ -6,8 +6,6 @@
 #include "widgets/look/parts.h"
 #include "widgets/model/runnotes.h"
 
-#include <QtWidgets>
-
 namespace pixelplumb {
 
 namespace {

@@ -6,15 +6,9 @@
 #include "core/scene/scenefile.h"
 #include "core/scene/text/result.h"
 
-#include <QDialog>
+#include <QtWidgets>
 
 #include <array>
-
-class QCheckBox;
-class QDialogButtonBox;
-class QGridLayout;
-class QLabel;
-class QLineEdit;
 
 namespace pixelplumb {
 

@@ -3,9 +3,7 @@
 
 #include "widgets/model/job.h"
 
-#include <QDateTime>
-#include <QLockFile>
-#include <QObject>
+#include <QtCore>
 
 #include <optional>
 

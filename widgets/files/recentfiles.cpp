@@ -6,8 +6,6 @@
 #include "widgets/look/parts.h"
 #include "widgets/look/typesetting.h"
 
-#include <QtWidgets>
-
 namespace pixelplumb {
 
 namespace {

@@ -5,11 +5,7 @@
 #include "core/scene/scene.h"
 #include "core/scene/text/result.h"
 
-#include <QDateTime>
-#include <QFileSystemWatcher>
-#include <QMenu>
-#include <QString>
-#include <QStringList>
+#include <QtWidgets>
 
 #include <optional>
 #include <variant>

@@ -4,11 +4,9 @@
 #include "core/export/traceexport.h"
 #include "widgets/model/job.h"
 
-#include <QObject>
+#include <QtWidgets>
 
 #include <optional>
-
-class QWidget;
 
 namespace pixelplumb {
 

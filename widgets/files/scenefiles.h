@@ -5,13 +5,10 @@
 #include "widgets/files/recentfiles.h"
 #include "widgets/model/job.h"
 
-#include <QObject>
-#include <QString>
+#include <QtWidgets>
 
 #include <functional>
 #include <memory>
-
-class QWidget;
 
 namespace pixelplumb {
 

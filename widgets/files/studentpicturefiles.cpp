@@ -4,8 +4,6 @@
 #include "core/scene/text/byteordermark.h"
 #include "widgets/model/studentpicture.h"
 
-#include <QtWidgets>
-
 namespace pixelplumb {
 
 namespace {

@@ -7,8 +7,6 @@
 #include "widgets/model/placinghint.h"
 #include "widgets/model/playhead.h"
 
-#include <QtWidgets>
-
 #include <algorithm>
 #include <numeric>
 

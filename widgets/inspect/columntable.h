@@ -4,9 +4,7 @@
 #include "core/trace/numberdescription.h"
 #include "widgets/model/rowfilter.h"
 
-#include <QTableView>
-
-class QAction;
+#include <QtWidgets>
 
 namespace pixelplumb {
 

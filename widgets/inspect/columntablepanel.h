@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <QWidget>
-
-class QHBoxLayout;
+#include <QtWidgets>
 
 namespace pixelplumb {
 

@@ -3,14 +3,9 @@
 
 #include "core/scan/scansettings.h"
 
-#include <QString>
-#include <QTimer>
-#include <QWidget>
+#include <QtWidgets>
 
 #include <tuple>
-
-class QLabel;
-class QTextBrowser;
 
 namespace pixelplumb {
 

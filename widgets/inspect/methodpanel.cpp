@@ -10,8 +10,6 @@
 #include "widgets/look/typesetting.h"
 #include "widgets/model/playhead.h"
 
-#include <QtWidgets>
-
 #include <algorithm>
 
 namespace pixelplumb {

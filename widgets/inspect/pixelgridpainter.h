@@ -4,10 +4,7 @@
 #include "widgets/inspect/pixelgridscene.h"
 #include "widgets/look/cellvalues.h"
 
-#include <QFont>
-#include <QPalette>
-
-class QPainter;
+#include <QtGui>
 
 namespace pixelplumb {
 

@@ -7,8 +7,6 @@
 #include "widgets/look/displayoptions.h"
 #include "widgets/model/playhead.h"
 
-#include <QCoreApplication>
-
 #include <algorithm>
 
 namespace pixelplumb {

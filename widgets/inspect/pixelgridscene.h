@@ -5,12 +5,7 @@
 #include "widgets/look/framepainter.h"
 #include "widgets/look/viewmapping.h"
 
-#include <QMargins>
-#include <QPoint>
-#include <QPointF>
-#include <QRect>
-#include <QSize>
-#include <QString>
+#include <QtCore>
 
 #include <array>
 #include <optional>

@@ -8,8 +8,6 @@
 #include "widgets/model/pixelhistorymodel.h"
 #include "widgets/model/playhead.h"
 
-#include <QtWidgets>
-
 #include <algorithm>
 
 namespace pixelplumb {

@@ -1,13 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <QWidget>
-
-class QLabel;
-class QModelIndex;
-class QScrollArea;
-class QToolButton;
-class QTreeView;
+#include <QtWidgets>
 
 namespace pixelplumb {
 

@@ -8,8 +8,6 @@
 #include "widgets/model/playhead.h"
 #include "widgets/model/scenedocument.h"
 
-#include <QtWidgets>
-
 #include <utility>
 
 namespace pixelplumb {

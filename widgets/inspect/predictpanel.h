@@ -5,13 +5,7 @@
 #include "core/runs/explain/prediction.h"
 #include "core/scene/scene.h"
 
-#include <QSet>
-#include <QWidget>
-
-class QComboBox;
-class QLabel;
-class QLineEdit;
-class QPushButton;
+#include <QtWidgets>
 
 namespace pixelplumb {
 

@@ -7,8 +7,6 @@
 #include "widgets/look/parts.h"
 #include "widgets/model/primitivelistmodel.h"
 
-#include <QtWidgets>
-
 #include <algorithm>
 
 namespace pixelplumb {

@@ -3,12 +3,7 @@
 
 #include "widgets/model/scenedocument.h"
 
-#include <QWidget>
-
-class QAction;
-class QHBoxLayout;
-class QLabel;
-class QMenu;
+#include <QtWidgets>
 
 namespace pixelplumb {
 

@@ -5,8 +5,6 @@
 #include "core/scene/shapenames.h"
 #include "widgets/model/primitivelistmodel.h"
 
-#include <QtWidgets>
-
 namespace pixelplumb {
 
 namespace {

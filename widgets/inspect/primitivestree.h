@@ -3,8 +3,7 @@
 
 #include "widgets/model/scenedocument.h"
 
-#include <QMenu>
-#include <QTreeView>
+#include <QtWidgets>
 
 namespace pixelplumb {
 

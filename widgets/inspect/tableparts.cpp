@@ -6,8 +6,6 @@
 #include "widgets/look/typesetting.h"
 #include "widgets/model/columntablemodel.h"
 
-#include <QPainter>
-
 #include <cmath>
 
 namespace pixelplumb {

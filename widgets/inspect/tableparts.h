@@ -3,8 +3,7 @@
 
 #include "widgets/look/numberlayout.h"
 
-#include <QHeaderView>
-#include <QStyledItemDelegate>
+#include <QtWidgets>
 
 #include <vector>
 

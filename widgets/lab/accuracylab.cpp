@@ -10,8 +10,6 @@
 #include "widgets/look/parts.h"
 #include "widgets/model/playhead.h"
 
-#include <QtWidgets>
-
 namespace pixelplumb {
 
 namespace {

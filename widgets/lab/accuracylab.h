@@ -3,11 +3,7 @@
 
 #include "widgets/lab/labrun.h"
 
-#include <QWidget>
-
-class QBoxLayout;
-class QLabel;
-class QStackedWidget;
+#include <QtWidgets>
 
 namespace pixelplumb {
 

@@ -10,8 +10,6 @@
 #include "widgets/look/labels.h"
 #include "widgets/look/parts.h"
 
-#include <QtWidgets>
-
 #include <algorithm>
 
 namespace pixelplumb {

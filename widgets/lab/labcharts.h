@@ -4,9 +4,7 @@
 #include "core/lab/study/pareto.h"
 #include "widgets/lab/labplot.h"
 
-#include <QTabWidget>
-
-class QComboBox;
+#include <QtWidgets>
 
 namespace pixelplumb {
 

@@ -6,8 +6,6 @@
 #include "widgets/look/labels.h"
 #include "widgets/look/parts.h"
 
-#include <QtWidgets>
-
 namespace pixelplumb {
 
 namespace {

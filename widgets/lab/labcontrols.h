@@ -3,13 +3,7 @@
 
 #include "core/lab/study/pareto.h"
 
-#include <QWidget>
-
-class QBoxLayout;
-class QComboBox;
-class QProgressBar;
-class QPushButton;
-class QToolButton;
+#include <QtWidgets>
 
 namespace pixelplumb {
 

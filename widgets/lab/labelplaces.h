@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <QRectF>
-#include <QSizeF>
+#include <QtCore>
 
 #include <optional>
 #include <vector>

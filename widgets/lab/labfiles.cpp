@@ -8,8 +8,6 @@
 #include "widgets/lab/labtext.h"
 #include "widgets/look/typesetting.h"
 
-#include <QFileDialog>
-
 namespace pixelplumb {
 
 LabFiles::LabFiles(QWidget *window)

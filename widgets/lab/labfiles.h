@@ -3,11 +3,9 @@
 
 #include "core/lab/study/study.h"
 
-#include <QObject>
+#include <QtWidgets>
 
 #include <optional>
-
-class QWidget;
 
 namespace pixelplumb {
 

@@ -7,8 +7,6 @@
 #include "widgets/look/corewords.h"
 #include "widgets/look/parts.h"
 
-#include <QtWidgets>
-
 namespace pixelplumb {
 
 namespace {

@@ -3,12 +3,10 @@
 
 #include "widgets/lab/labrun.h"
 
-#include <QToolButton>
+#include <QtWidgets>
 
 #include <memory>
 #include <set>
-
-class QMenu;
 
 namespace pixelplumb {
 

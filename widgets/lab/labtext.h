@@ -3,8 +3,7 @@
 
 #include "core/lab/study/pareto.h"
 
-#include <QFont>
-#include <QStringList>
+#include <QtGui>
 
 namespace pixelplumb {
 

@@ -4,8 +4,6 @@
 #include "core/frame/srgb.h"
 #include "widgets/look/signs.h"
 
-#include <QtWidgets>
-
 #include <array>
 #include <utility>
 

@@ -1,11 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <QColor>
-#include <QFont>
-#include <QPalette>
-#include <QProxyStyle>
-#include <QString>
+#include <QtWidgets>
 
 #include <optional>
 

@@ -3,11 +3,7 @@
 
 #include "widgets/look/displayoptions.h"
 
-#include <QFont>
-#include <QRectF>
-#include <QRgb>
-
-class QPainter;
+#include <QtGui>
 
 namespace pixelplumb {
 

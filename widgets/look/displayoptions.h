@@ -3,8 +3,7 @@
 
 #include "core/layers/affineimage.h"
 
-#include <QObject>
-#include <QStringList>
+#include <QtCore>
 
 #include <chrono>
 #include <optional>

@@ -3,8 +3,6 @@
 
 #include "widgets/look/signs.h"
 
-#include <QPainter>
-
 #include <algorithm>
 #include <cmath>
 

@@ -7,16 +7,12 @@
 #include "widgets/look/signs.h"
 #include "widgets/look/viewmapping.h"
 
-#include <QPalette>
-#include <QRectF>
+#include <QtWidgets>
 
 #include <functional>
 #include <optional>
 #include <span>
 #include <vector>
-
-class QPainter;
-class QWidget;
 
 namespace pixelplumb {
 

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/look/labels.h"
 
-#include <QtWidgets>
-
 #include <algorithm>
 
 namespace pixelplumb {

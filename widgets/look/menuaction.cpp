@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/look/menuaction.h"
 
-#include <QWidget>
-
 namespace pixelplumb {
 
 using namespace Qt::StringLiterals;

@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <QAction>
-#include <QKeySequence>
-#include <QMenu>
+#include <QtWidgets>
 
 namespace pixelplumb {
 

@@ -6,8 +6,6 @@
 #include "widgets/look/parts.h"
 #include "widgets/look/signs.h"
 
-#include <QtWidgets>
-
 #include <algorithm>
 
 namespace pixelplumb {

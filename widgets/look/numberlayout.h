@@ -1,11 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <QFont>
-#include <QRectF>
-#include <QString>
-
-class QPainter;
+#include <QtGui>
 
 namespace pixelplumb {
 

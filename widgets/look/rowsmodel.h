@@ -3,9 +3,7 @@
 
 #include "widgets/look/parts.h"
 
-#include <QAbstractTableModel>
-#include <QHeaderView>
-#include <QTableView>
+#include <QtWidgets>
 
 #include <functional>
 #include <utility>

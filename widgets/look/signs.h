@@ -3,10 +3,7 @@
 
 #include "core/frame/difference.h"
 
-#include <QColor>
-#include <QIcon>
-#include <QPalette>
-#include <QString>
+#include <QtGui>
 
 namespace pixelplumb {
 

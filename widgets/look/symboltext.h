@@ -4,14 +4,10 @@
 #include "core/trace/symbolruns.h"
 #include "widgets/look/signs.h"
 
-#include <QFont>
-#include <QPointF>
-#include <QStringList>
+#include <QtGui>
 
 #include <optional>
 #include <vector>
-
-class QPainter;
 
 namespace pixelplumb {
 

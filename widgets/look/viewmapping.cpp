@@ -3,8 +3,6 @@
 
 #include "core/frame/framebuffer.h"
 
-#include <QRectF>
-
 #include <algorithm>
 #include <array>
 #include <cmath>

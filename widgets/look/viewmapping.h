@@ -5,9 +5,7 @@
 #include "core/frame/framespec.h"
 #include "core/geometry/lattice.h"
 
-#include <QImage>
-#include <QPointF>
-#include <QRect>
+#include <QtGui>
 
 #include <optional>
 

@@ -4,8 +4,7 @@
 #include "core/runs/tracedscene.h"
 #include "widgets/model/rowfilter.h"
 
-#include <QAbstractTableModel>
-#include <QCache>
+#include <QtCore>
 
 #include <memory>
 #include <optional>

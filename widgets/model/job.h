@@ -4,18 +4,13 @@
 #include "core/number/failure.h"
 #include "core/number/jobprogress.h"
 
-#include <QFutureWatcher>
-#include <QObject>
-#include <QString>
-#include <QTimer>
+#include <QtCore>
 
 #include <chrono>
 #include <functional>
 #include <memory>
 #include <type_traits>
 #include <utility>
-
-class QThreadPool;
 
 namespace pixelplumb {
 

@@ -4,8 +4,7 @@
 #include "core/runs/ahead.h"
 #include "core/runs/explain/pixelhistory.h"
 
-#include <QAbstractItemModel>
-#include <QPoint>
+#include <QtCore>
 
 #include <optional>
 

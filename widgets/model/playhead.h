@@ -5,10 +5,7 @@
 #include "core/runs/tracedscene.h"
 #include "widgets/model/tracenavigation.h"
 
-#include <QElapsedTimer>
-#include <QObject>
-#include <QPoint>
-#include <QTimer>
+#include <QtCore>
 
 #include <memory>
 #include <optional>

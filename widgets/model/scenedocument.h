@@ -3,8 +3,7 @@
 
 #include "widgets/model/renumbering.h"
 
-#include <QObject>
-#include <QUndoStack>
+#include <QtGui>
 
 #include <functional>
 #include <memory>

@@ -5,8 +5,7 @@
 #include "core/runs/tracedscene.h"
 #include "widgets/model/job.h"
 
-#include <QObject>
-#include <QThreadPool>
+#include <QtCore>
 
 #include <memory>
 #include <vector>

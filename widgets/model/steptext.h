@@ -3,8 +3,7 @@
 
 #include "core/runs/tracedscene.h"
 
-#include <QPoint>
-#include <QString>
+#include <QtCore>
 
 #include <optional>
 

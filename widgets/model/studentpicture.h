@@ -6,8 +6,7 @@
 #include "core/grade/rounding/margin.h"
 #include "widgets/model/job.h"
 
-#include <QObject>
-#include <QPoint>
+#include <QtCore>
 
 #include <functional>
 #include <memory>

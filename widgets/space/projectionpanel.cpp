@@ -8,8 +8,6 @@
 #include "widgets/space/stagetree.h"
 #include "widgets/space/surfacespanel.h"
 
-#include <QtWidgets>
-
 #include <map>
 
 namespace pixelplumb {

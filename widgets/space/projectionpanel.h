@@ -4,10 +4,7 @@
 #include "widgets/model/job.h"
 #include "widgets/space/sidescene.h"
 
-#include <QWidget>
-
-class QLabel;
-class QSplitter;
+#include <QtWidgets>
 
 namespace pixelplumb {
 

@@ -5,8 +5,6 @@
 #include "widgets/look/parts.h"
 #include "widgets/model/scenedocument.h"
 
-#include <QtWidgets>
-
 #include <algorithm>
 
 namespace pixelplumb {

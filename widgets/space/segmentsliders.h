@@ -1,13 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <QWidget>
+#include <QtWidgets>
 
 #include <array>
 #include <optional>
-
-class QLabel;
-class QSlider;
 
 namespace pixelplumb {
 

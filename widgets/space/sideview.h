@@ -4,10 +4,7 @@
 #include "core/space/spacevector.h"
 #include "widgets/space/sidescene.h"
 
-#include <QPointF>
-#include <QPolygonF>
-#include <QRectF>
-#include <QWidget>
+#include <QtWidgets>
 
 #include <optional>
 #include <span>

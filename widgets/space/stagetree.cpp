@@ -5,8 +5,6 @@
 #include "widgets/look/parts.h"
 #include "widgets/look/symboltext.h"
 
-#include <QtWidgets>
-
 #include <cmath>
 #include <set>
 

@@ -3,8 +3,7 @@
 
 #include "core/space/facestages.h"
 
-#include <QStyledItemDelegate>
-#include <QTreeWidget>
+#include <QtWidgets>
 
 namespace pixelplumb {
 

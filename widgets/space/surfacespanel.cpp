@@ -9,8 +9,6 @@
 #include "widgets/space/segmentsliders.h"
 #include "widgets/space/stagetree.h"
 
-#include <QtWidgets>
-
 #include <algorithm>
 #include <optional>
 #include <span>

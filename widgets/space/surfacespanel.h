@@ -1,11 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <QWidget>
-
-class QLabel;
-class QSlider;
-class QTextBrowser;
+#include <QtWidgets>
 
 namespace pixelplumb {
 

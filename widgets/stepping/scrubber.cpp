@@ -4,8 +4,6 @@
 #include "widgets/look/parts.h"
 #include "widgets/model/steptext.h"
 
-#include <QtWidgets>
-
 #include <chrono>
 #include <limits>
 

@@ -4,8 +4,7 @@
 #include "widgets/look/signs.h"
 #include "widgets/model/playhead.h"
 
-#include <QAbstractSlider>
-#include <QPixmap>
+#include <QtWidgets>
 
 #include <algorithm>
 #include <cmath>

@@ -3,9 +3,7 @@
 
 #include "widgets/model/playhead.h"
 
-#include <QAction>
-#include <QActionGroup>
-#include <QKeySequence>
+#include <QtGui>
 
 namespace pixelplumb {
 

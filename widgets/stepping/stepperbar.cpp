@@ -4,8 +4,6 @@
 #include "widgets/look/labels.h"
 #include "widgets/look/parts.h"
 
-#include <QtWidgets>
-
 #include <cmath>
 
 namespace pixelplumb {

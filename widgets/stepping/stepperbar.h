@@ -3,11 +3,7 @@
 
 #include "widgets/stepping/stepactions.h"
 
-#include <QToolButton>
-#include <QWidget>
-
-class QBoxLayout;
-class QComboBox;
+#include <QtWidgets>
 
 namespace pixelplumb {
 

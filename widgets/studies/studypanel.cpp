@@ -3,8 +3,6 @@
 
 #include "widgets/look/parts.h"
 
-#include <QProgressBar>
-
 namespace pixelplumb {
 
 JobBar::JobBar(const Job &job, const QString &name, const QString &inWords, int width,

@@ -3,9 +3,7 @@
 
 #include "widgets/model/job.h"
 
-#include <QWidget>
-
-class QLabel;
+#include <QtWidgets>
 
 namespace pixelplumb {
 

@@ -6,8 +6,6 @@
 #include "widgets/look/parts.h"
 #include "widgets/studies/cases/hardcasespicture.h"
 
-#include <QtWidgets>
-
 #include <algorithm>
 
 namespace pixelplumb {

@@ -5,11 +5,7 @@
 #include "widgets/files/examplefolder.h"
 #include "widgets/model/job.h"
 
-#include <QDialog>
-#include <QImage>
-
-class QListWidget;
-class QListWidgetItem;
+#include <QtWidgets>
 
 namespace pixelplumb {
 

@@ -37,8 +37,6 @@
 #include "widgets/window/windowstatusbar.h"
 #include "widgets/window/workspaces.h"
 
-#include <QtWidgets>
-
 namespace pixelplumb {
 
 namespace {

@@ -5,12 +5,10 @@
 #include "widgets/files/recentfiles.h"
 #include "widgets/window/windowparts.h"
 
-#include <QMainWindow>
+#include <QtWidgets>
 
 #include <memory>
 #include <optional>
-
-class QSessionManager;
 
 namespace pixelplumb {
 

@@ -19,8 +19,6 @@
 #include "widgets/stepping/stepactions.h"
 #include "widgets/window/whatsthis.h"
 
-#include <QtWidgets>
-
 namespace pixelplumb {
 
 namespace {

@@ -3,9 +3,7 @@
 
 #include "widgets/window/windowparts.h"
 
-#include <QMenu>
-
-class QMenuBar;
+#include <QtWidgets>
 
 namespace pixelplumb {
 

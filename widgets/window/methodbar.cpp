@@ -8,8 +8,6 @@
 #include "widgets/model/runnotes.h"
 #include "widgets/model/scenedocument.h"
 
-#include <QtWidgets>
-
 namespace pixelplumb {
 
 namespace {

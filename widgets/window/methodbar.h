@@ -3,11 +3,7 @@
 
 #include "core/runs/explain/idlesetting.h"
 
-#include <QString>
-#include <QWidget>
-
-class QBoxLayout;
-class QComboBox;
+#include <QtWidgets>
 
 namespace pixelplumb {
 

@@ -4,8 +4,6 @@
 #include "widgets/model/playhead.h"
 #include "widgets/window/windowdocks.h"
 
-#include <QtWidgets>
-
 #include <algorithm>
 #include <iterator>
 #include <utility>

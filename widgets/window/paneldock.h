@@ -3,13 +3,9 @@
 
 #include "widgets/window/panels.h"
 
-#include <QDockWidget>
-#include <QList>
-#include <QObject>
+#include <QtWidgets>
 
 #include <optional>
-
-class QMainWindow;
 
 namespace pixelplumb {
 

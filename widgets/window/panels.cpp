@@ -21,8 +21,6 @@
 #include "widgets/studies/grade/gradingpanel.h"
 #include "widgets/studies/grade/submissionpanel.h"
 
-#include <QCoreApplication>
-
 namespace pixelplumb {
 
 namespace {

@@ -3,12 +3,9 @@
 
 #include "widgets/window/windowparts.h"
 
-#include <Qt>
+#include <QtWidgets>
 
 #include <span>
-
-class QWidget;
-struct QMetaObject;
 
 namespace pixelplumb {
 

@@ -5,8 +5,6 @@
 #include "widgets/window/panels.h"
 #include "widgets/window/workspaces.h"
 
-#include <QtWidgets>
-
 #include <algorithm>
 #include <iterator>
 

@@ -13,8 +13,6 @@
 #include "widgets/window/paneldock.h"
 #include "widgets/window/workspaces.h"
 
-#include <QtWidgets>
-
 #include <utility>
 
 namespace pixelplumb {

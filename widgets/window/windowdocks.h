@@ -3,9 +3,7 @@
 
 #include "widgets/window/paneldock.h"
 
-#include <QList>
-
-class QMainWindow;
+#include <QtWidgets>
 
 namespace pixelplumb {
 

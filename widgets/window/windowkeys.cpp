@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/window/windowkeys.h"
 
-#include <QtWidgets>
-
 namespace pixelplumb {
 
 namespace {

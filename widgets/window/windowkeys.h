@@ -1,10 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <QObject>
-
-class QKeyEvent;
-class QWidget;
+#include <QtWidgets>
 
 namespace pixelplumb {
 

@@ -16,8 +16,6 @@
 #include "widgets/model/studentpicture.h"
 #include "widgets/studies/grade/submissionview.h"
 
-#include <QtWidgets>
-
 namespace pixelplumb {
 
 namespace {

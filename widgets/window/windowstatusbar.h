@@ -3,15 +3,9 @@
 
 #include "widgets/window/windowparts.h"
 
-#include <QPoint>
-#include <QStatusBar>
-#include <QWidget>
+#include <QtWidgets>
 
 #include <optional>
-
-class QBoxLayout;
-class QLabel;
-class QToolButton;
 
 namespace pixelplumb {
 

@@ -4,8 +4,6 @@
 #include "widgets/look/parts.h"
 #include "widgets/window/firstarrangement.h"
 
-#include <QtWidgets>
-
 namespace pixelplumb {
 
 using namespace Qt::StringLiterals;

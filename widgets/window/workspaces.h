@@ -3,18 +3,10 @@
 
 #include "widgets/window/panels.h"
 
-#include <QByteArray>
-#include <QList>
-#include <QObject>
-#include <QPointer>
-#include <QWidget>
+#include <QtWidgets>
 
 #include <array>
 #include <iterator>
-
-class QAction;
-class QMainWindow;
-class QSettings;
 
 namespace pixelplumb {
 

@@ -6,15 +6,7 @@
 #include "widgets/studies/accuracy/motionview.h"
 #include "widgets/studies/studypanel.h"
 
-#include <QTimer>
-
-class QBoxLayout;
-class QLabel;
-class QLineEdit;
-class QPushButton;
-class QSlider;
-class QSpinBox;
-class QToolButton;
+#include <QtWidgets>
 
 namespace pixelplumb {
 

@@ -9,8 +9,6 @@
 #include "widgets/look/parts.h"
 #include "widgets/look/signs.h"
 
-#include <QPainter>
-
 namespace pixelplumb {
 
 namespace {

@@ -4,8 +4,7 @@
 #include "core/frame/framespec.h"
 #include "core/geometry/lattice.h"
 
-#include <QImage>
-#include <QWidget>
+#include <QtWidgets>
 
 #include <array>
 #include <vector>

@@ -6,8 +6,6 @@
 #include "widgets/model/playhead.h"
 #include "widgets/studies/accuracy/precisionplot.h"
 
-#include <QtWidgets>
-
 #include <algorithm>
 #include <cmath>
 

@@ -4,8 +4,7 @@
 #include "core/compare/bounderrors.h"
 #include "widgets/studies/studypanel.h"
 
-class QComboBox;
-class QToolButton;
+#include <QtWidgets>
 
 namespace pixelplumb {
 

@@ -5,14 +5,9 @@
 #include "widgets/model/job.h"
 #include "widgets/studies/cases/hardcasespicture.h"
 
-#include <QWidget>
+#include <QtWidgets>
 
 #include <map>
-
-class QLabel;
-class QProgressBar;
-class QPushButton;
-class QScrollArea;
 
 namespace pixelplumb {
 

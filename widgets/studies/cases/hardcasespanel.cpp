@@ -6,8 +6,6 @@
 #include "widgets/model/playhead.h"
 #include "widgets/studies/cases/hardcasesdetails.h"
 
-#include <QtWidgets>
-
 namespace pixelplumb {
 
 namespace {

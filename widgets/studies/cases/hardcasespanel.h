@@ -7,12 +7,9 @@
 #include "widgets/model/job.h"
 #include "widgets/studies/cases/hardcasespicture.h"
 
-#include <QWidget>
+#include <QtWidgets>
 
 #include <map>
-
-class QTreeWidget;
-class QTreeWidgetItem;
 
 namespace pixelplumb {
 

@@ -7,8 +7,7 @@
 #include "core/runs/differencemap.h"
 #include "widgets/look/rowsmodel.h"
 
-#include <QImage>
-#include <QPalette>
+#include <QtGui>
 
 namespace pixelplumb {
 

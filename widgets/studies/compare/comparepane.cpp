@@ -13,8 +13,6 @@
 #include "widgets/studies/compare/comparetext.h"
 #include "widgets/studies/compare/compareview.h"
 
-#include <QtWidgets>
-
 namespace pixelplumb {
 
 namespace {

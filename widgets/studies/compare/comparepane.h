@@ -4,11 +4,7 @@
 #include "core/compare/contenderpace.h"
 #include "core/trace/tracecursor.h"
 
-#include <QBoxLayout>
-#include <QWidget>
-
-class QComboBox;
-class QLabel;
+#include <QtWidgets>
 
 namespace pixelplumb {
 

@@ -12,8 +12,6 @@
 #include "widgets/studies/compare/comparetext.h"
 #include "widgets/studies/compare/compareview.h"
 
-#include <QtWidgets>
-
 namespace pixelplumb {
 
 ComparePanel::ComparePanel(Playhead *playhead, QWidget *parent)

@@ -4,9 +4,7 @@
 #include "core/compare/contest.h"
 #include "widgets/studies/studypanel.h"
 
-class QBoxLayout;
-class QLabel;
-class QToolButton;
+#include <QtWidgets>
 
 namespace pixelplumb {
 

@@ -3,9 +3,7 @@
 
 #include "core/compare/contest.h"
 
-#include <QPalette>
-#include <QPoint>
-#include <QString>
+#include <QtGui>
 
 #include <optional>
 

@@ -8,8 +8,6 @@
 #include "widgets/model/playhead.h"
 #include "widgets/studies/compare/comparelink.h"
 
-#include <QtWidgets>
-
 #include <cmath>
 
 namespace pixelplumb {

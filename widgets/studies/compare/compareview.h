@@ -4,8 +4,7 @@
 #include "core/compare/contest.h"
 #include "widgets/look/viewmapping.h"
 
-#include <QImage>
-#include <QWidget>
+#include <QtWidgets>
 
 namespace pixelplumb {
 

@@ -13,8 +13,6 @@
 #include "widgets/model/scenedocument.h"
 #include "widgets/studies/cost/effectstext.h"
 
-#include <QtWidgets>
-
 namespace pixelplumb {
 
 namespace {

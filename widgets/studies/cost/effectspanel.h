@@ -6,12 +6,10 @@
 #include "widgets/look/rowsmodel.h"
 #include "widgets/studies/studypanel.h"
 
+#include <QtWidgets>
+
 #include <memory>
 #include <optional>
-
-class QBoxLayout;
-class QComboBox;
-class QPushButton;
 
 namespace pixelplumb {
 

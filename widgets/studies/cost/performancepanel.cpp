@@ -8,8 +8,6 @@
 #include "widgets/model/playhead.h"
 #include "widgets/studies/studypanel.h"
 
-#include <QtWidgets>
-
 #include <cmath>
 
 namespace pixelplumb {

@@ -4,13 +4,7 @@
 #include "core/measure/scenetiming.h"
 #include "widgets/model/job.h"
 
-#include <QPalette>
-#include <QString>
-#include <QWidget>
-
-class QBoxLayout;
-class QLabel;
-class QPushButton;
+#include <QtWidgets>
 
 namespace pixelplumb {
 

@@ -8,8 +8,6 @@
 #include "widgets/model/studentpicture.h"
 #include "widgets/studies/studypanel.h"
 
-#include <QtWidgets>
-
 namespace pixelplumb {
 
 DiagnosisView::DiagnosisView(const StudentPicture *student, QWidget *parent)

@@ -4,13 +4,7 @@
 #include "core/grade/diagnose/diagnosis.h"
 #include "widgets/model/job.h"
 
-#include <QWidget>
-
-class QBoxLayout;
-class QComboBox;
-class QLabel;
-class QListWidget;
-class QPushButton;
+#include <QtWidgets>
 
 namespace pixelplumb {
 

@@ -4,8 +4,7 @@
 #include "core/grade/class/gradefolder.h"
 #include "widgets/model/job.h"
 
-#include <QObject>
-#include <QThreadPool>
+#include <QtCore>
 
 #include <span>
 

@@ -4,8 +4,6 @@
 #include "widgets/look/parts.h"
 #include "widgets/studies/grade/leewaybox.h"
 
-#include <QtWidgets>
-
 namespace pixelplumb {
 
 using namespace Qt::StringLiterals;

@@ -3,13 +3,9 @@
 
 #include "core/grade/rounding/margin.h"
 
-#include <QDialog>
+#include <QtWidgets>
 
 #include <optional>
-
-class QDialogButtonBox;
-class QFormLayout;
-class QLineEdit;
 
 namespace pixelplumb {
 

@@ -6,8 +6,6 @@
 #include "widgets/studies/grade/gradebook.h"
 #include "widgets/studies/grade/openings.h"
 
-#include <QtWidgets>
-
 #include <algorithm>
 #include <array>
 

@@ -10,8 +10,6 @@
 #include "widgets/studies/grade/gradetable.h"
 #include "widgets/studies/studypanel.h"
 
-#include <QtWidgets>
-
 #include <algorithm>
 
 namespace pixelplumb {

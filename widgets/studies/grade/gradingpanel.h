@@ -3,16 +3,9 @@
 
 #include "widgets/studies/grade/openings.h"
 
-#include <QTimer>
-#include <QWidget>
+#include <QtWidgets>
 
 #include <optional>
-
-class QAbstractItemModel;
-class QBoxLayout;
-class QComboBox;
-class QLineEdit;
-class QToolButton;
 
 namespace pixelplumb {
 

@@ -5,12 +5,9 @@
 #include "core/scene/scene.h"
 #include "widgets/studies/grade/diagnosisview.h"
 
-#include <QObject>
-#include <QPoint>
+#include <QtGui>
 
 #include <optional>
-
-class QUndoCommand;
 
 namespace pixelplumb {
 

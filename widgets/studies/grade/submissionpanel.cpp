@@ -9,8 +9,6 @@
 #include "widgets/studies/grade/leewaybox.h"
 #include "widgets/studies/grade/submissionview.h"
 
-#include <QtWidgets>
-
 #include <algorithm>
 
 namespace pixelplumb {

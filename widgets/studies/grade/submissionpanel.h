@@ -1,11 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <QWidget>
-
-class QBoxLayout;
-class QLabel;
-class QToolButton;
+#include <QtWidgets>
 
 namespace pixelplumb {
 
