@@ -3,7 +3,6 @@
 
 #include "core/methods/method.h"
 #include "widgets/look/numberformat.h"
-#include "widgets/model/renumbering.h"
 
 #include <algorithm>
 
@@ -18,6 +17,14 @@ constexpr std::array<Colour, 3> defaultColours
 QString pixelText(Lattice coordinate)
 {
     return displayText(Quantity::rational(coordinate, unitsPerPixel));
+}
+
+/// As many as keep some 4 million primitives in memory, and three at least.
+int stepsOfUndo(const Scene &scene)
+{
+    constexpr std::size_t mostKept = 4'000'000;
+    return int(
+        std::max<std::size_t>(3, mostKept / (scene.triangles.size() + scene.shapes.size() + 1)));
 }
 
 Lattice nearestMultiple(Lattice coordinate, Lattice step)
@@ -59,11 +66,11 @@ SceneDocument::~SceneDocument()
 
 Colour SceneDocument::nextColour() const
 {
-    if (m_chosenColour)
-        return *m_chosenColour;
-    if (!m_pending.empty() && hasOneColour(placedKind()))
-        return m_pending.front().colour;
-    return defaultColours[m_pending.size() % defaultColours.size()];
+    if (m_now.chosenColour)
+        return *m_now.chosenColour;
+    if (!m_now.pending.empty() && hasOneColour(placedKind()))
+        return m_now.pending.front().colour;
+    return defaultColours[m_now.pending.size() % defaultColours.size()];
 }
 
 std::optional<Vertex> SceneDocument::vertexAt(const VertexRef &ref) const
@@ -72,42 +79,42 @@ std::optional<Vertex> SceneDocument::vertexAt(const VertexRef &ref) const
         return std::nullopt;
     const auto vertex = std::size_t(ref.vertex);
     if (ref.primitive == VertexRef::pending)
-        return vertex < m_pending.size() ? std::optional(m_pending[vertex]) : std::nullopt;
+        return vertex < m_now.pending.size() ? std::optional(m_now.pending[vertex]) : std::nullopt;
     if (ref.primitive < 0 || ref.primitive >= primitiveCount())
         return std::nullopt;
     const auto primitive = std::size_t(ref.primitive);
-    if (primitive < m_scene.triangles.size())
-        return vertex < 3 ? std::optional(m_scene.triangles[primitive].vertices[vertex])
+    if (primitive < scene().triangles.size())
+        return vertex < 3 ? std::optional(scene().triangles[primitive].vertices[vertex])
                           : std::nullopt;
     const std::vector<Vertex> &vertices
-        = m_scene.shapes[primitive - m_scene.triangles.size()].vertices;
+        = scene().shapes[primitive - scene().triangles.size()].vertices;
     return vertex < vertices.size() ? std::optional(vertices[vertex]) : std::nullopt;
 }
 
 PrimitiveKind SceneDocument::kindOf(int primitive) const
 {
     const auto index = std::size_t(primitive);
-    return index < m_scene.triangles.size() ? PrimitiveKind::Triangle
-                                            : m_scene.shapes[index - m_scene.triangles.size()].kind;
+    return index < scene().triangles.size() ? PrimitiveKind::Triangle
+                                            : scene().shapes[index - scene().triangles.size()].kind;
 }
 
 const Shape &SceneDocument::shapeAt(int primitive) const
 {
-    return m_scene.shapes[std::size_t(primitive) - m_scene.triangles.size()];
+    return scene().shapes[std::size_t(primitive) - scene().triangles.size()];
 }
 
 std::vector<Vertex> SceneDocument::verticesOf(int primitive) const
 {
     const auto index = std::size_t(primitive);
-    if (index >= m_scene.triangles.size())
-        return m_scene.shapes[index - m_scene.triangles.size()].vertices;
-    const std::array<Vertex, 3> &vertices = m_scene.triangles[index].vertices;
+    if (index >= scene().triangles.size())
+        return scene().shapes[index - scene().triangles.size()].vertices;
+    const std::array<Vertex, 3> &vertices = scene().triangles[index].vertices;
     return {vertices.begin(), vertices.end()};
 }
 
 bool SceneDocument::canMovePrimitive(int primitive, int places) const
 {
-    const auto triangles = int(m_scene.triangles.size());
+    const auto triangles = int(scene().triangles.size());
     const bool isTriangle = primitive < triangles;
     const int first = isTriangle ? 0 : triangles;
     const int end = isTriangle ? triangles : primitiveCount();
@@ -117,14 +124,14 @@ bool SceneDocument::canMovePrimitive(int primitive, int places) const
 
 bool SceneDocument::canClosePending() const
 {
-    return placedKind() == PrimitiveKind::Polygon && m_pending.size() >= 3;
+    return placedKind() == PrimitiveKind::Polygon && m_now.pending.size() >= 3;
 }
 
 TriangleAttributes SceneDocument::attributesOf(int triangle) const
 {
-    const auto found = std::ranges::lower_bound(m_scene.attributes, std::size_t(triangle), {},
+    const auto found = std::ranges::lower_bound(scene().attributes, std::size_t(triangle), {},
                                                 &TriangleAttributes::triangle);
-    if (found != m_scene.attributes.end() && found->triangle == std::size_t(triangle))
+    if (found != scene().attributes.end() && found->triangle == std::size_t(triangle))
         return *found;
     return {.triangle = std::size_t(triangle), .vertices = {}};
 }
@@ -132,15 +139,15 @@ TriangleAttributes SceneDocument::attributesOf(int triangle) const
 std::vector<VertexRef> SceneDocument::vertices() const
 {
     std::vector<VertexRef> refs;
-    const auto triangles = int(m_scene.triangles.size());
+    const auto triangles = int(scene().triangles.size());
     for (int primitive = 0; primitive < primitiveCount(); ++primitive) {
         const int count = primitive < triangles
             ? 3
-            : int(m_scene.shapes[std::size_t(primitive - triangles)].vertices.size());
+            : int(scene().shapes[std::size_t(primitive - triangles)].vertices.size());
         for (int vertex = 0; vertex < count; ++vertex)
             refs.push_back({primitive, vertex});
     }
-    for (int vertex = 0; vertex < int(m_pending.size()); ++vertex)
+    for (int vertex = 0; vertex < int(m_now.pending.size()); ++vertex)
         refs.push_back({VertexRef::pending, vertex});
     return refs;
 }
@@ -153,10 +160,10 @@ LatticePoint SceneDocument::snapped(const LatticePoint &point) const
 
 std::optional<LatticePoint> SceneDocument::offScreenPoint() const
 {
-    if (m_scene.settings.fillRule != FillRule::OffScreenPoint)
+    if (scene().settings.fillRule != FillRule::OffScreenPoint)
         return std::nullopt;
-    const LatticePoint sample = offScreenSample(m_scene.frame);
-    const Lattice offset = sampleOffset(m_scene.frame);
+    const LatticePoint sample = offScreenSample(scene().frame);
+    const Lattice offset = sampleOffset(scene().frame);
     return LatticePoint{sample.x + offset, sample.y + offset};
 }
 
@@ -165,13 +172,11 @@ void SceneDocument::reset(Scene scene)
     const ScanSettings asked = scene.settings;
     if (const Method *method = methodNamed(QString::fromStdString(scene.method)))
         scene.settings = method->adapted(asked);
-    m_scene = std::move(scene);
-    m_snapshot.reset();
-    m_pending.clear();
-    m_chosenColour.reset();
+    m_now = {std::make_shared<const Scene>(std::move(scene)), {}, {}, m_now.number};
     m_selected.reset();
     m_currentFrame = 0;
     m_undoStack.clear();
+    m_undoStack.setUndoLimit(stepsOfUndo(*m_now.scene));
     markSaved();
     emit opened();
     emit pendingChanged();
@@ -179,14 +184,6 @@ void SceneDocument::reset(Scene scene)
     tellSceneChanged();
     emit selectionChanged(); // last: lists of the scene now show this one, not the old
     tellAdaptation(asked);
-}
-
-void SceneDocument::setScene(const Scene &scene, const QString &text)
-{
-    const ScenePiece before = wholePiece();
-    const ScenePiece after = withPending(pixelplumb::wholePiece(scene));
-    if (after != before)
-        m_undoStack.push(new SceneEdit(*this, text, before, after));
 }
 
 void SceneDocument::setSnap(Snap snap)
@@ -201,7 +198,7 @@ void SceneDocument::setNextColour(const Colour &colour)
 {
     if (colour == nextColour())
         return;
-    m_chosenColour = colour;
+    m_now.chosenColour = colour;
     emit nextColourChanged();
 }
 
@@ -222,48 +219,49 @@ bool SceneDocument::accepts(const LatticePoint &position)
     return false;
 }
 
-ScenePiece SceneDocument::withPending(ScenePiece piece) const
+void SceneDocument::edit(const QString &text, const std::function<void(DocumentState &)> &change,
+                         const std::optional<Drag> &drag)
 {
-    piece.pending = m_pending;
-    piece.chosenColour = m_chosenColour;
-    return piece;
+    DocumentState after = m_now;
+    change(after);
+    if (*after.scene == scene())
+        after.scene = m_now.scene;
+    else
+        after.number = ++m_lastNumber;
+    if (after != m_now)
+        m_undoStack.push(new SceneEdit(*this, text, m_now, after, drag));
 }
 
-ScenePiece SceneDocument::pieceAtEnd() const
+void SceneDocument::editScene(const QString &text, const std::function<void(Scene &)> &change,
+                              const std::optional<Drag> &drag)
 {
-    return withPending(pixelplumb::pieceAtEnd(m_scene));
+    edit(
+        text, [&](DocumentState &after) { change(after.changedScene()); }, drag);
 }
 
-ScenePiece SceneDocument::pieceWith(int primitive) const
+void SceneDocument::setScene(const Scene &scene, const QString &text)
 {
-    if (primitive == VertexRef::pending)
-        return pieceAtEnd();
-    return withPending(pixelplumb::pieceWith(m_scene, std::size_t(primitive)));
+    editScene(text, [&](Scene &changed) { changed = scene; });
 }
 
-ScenePiece SceneDocument::wholePiece() const
+void SceneDocument::exchange(const DocumentState &before, const DocumentState &after)
 {
-    return withPending(pixelplumb::wholePiece(m_scene));
-}
-
-void SceneDocument::exchange(const ScenePiece &before, const ScenePiece &after, int state)
-{
-    m_state = state;
     const std::optional<VertexRef> selected = m_selected;
     if (m_selected)
-        m_selected = renamed(*m_selected, m_scene.triangles.size(), before, after);
-    replace(m_scene, before, after);
-    m_pending = after.pending;
+        m_selected = renamed(*m_selected, before, after);
+    m_now.scene = after.scene;
+    m_now.pending = after.pending;
+    m_now.number = after.number;
     // A colour that the person chose since does not belong to the edit.
     if (before.chosenColour != after.chosenColour)
-        m_chosenColour = after.chosenColour;
+        m_now.chosenColour = after.chosenColour;
     if (m_selected && !vertexAt(*m_selected))
         m_selected.reset();
     if (before.pending != after.pending || before.chosenColour != after.chosenColour) {
         emit pendingChanged();
         emit nextColourChanged();
     }
-    if (!before.hasSceneOf(after))
+    if (before.scene != after.scene)
         tellSceneChanged();
     // After the scene, so that listeners find the vertex.
     if (m_selected != selected)

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "widgets/model/renumbering.h"
+#include "widgets/model/sceneedit.h"
 
 #include <QtGui>
 
@@ -28,10 +28,11 @@ public:
     explicit SceneDocument(QObject *parent = nullptr);
     ~SceneDocument() override;
 
-    const Scene &scene() const { return m_scene; }
-    int hiddenCount() const { return int(m_scene.hidden.size()); } ///< without solids
-    /// An immutable copy of the scene for worker threads; made on demand, once per change.
-    std::shared_ptr<const Scene> snapshot() const;
+    /// As it is now: it does not follow edits.
+    const Scene &scene() const { return *m_now.scene; }
+    int hiddenCount() const { return int(scene().hidden.size()); } ///< without solids
+    /// The scene for worker threads.
+    const std::shared_ptr<const Scene> &snapshot() const { return m_now.scene; }
     /// The frame of the scene's motion that is shown, 0 … frames − 1; not saved.
     int currentFrame() const { return m_currentFrame; }
     /// The still scene at that frame; at frame 0 the snapshot itself.
@@ -39,7 +40,7 @@ public:
     /// Maps a point of the scene to its place at that frame, and back.
     LatticePoint atCurrentFrame(const LatticePoint &point) const;
     LatticePoint fromCurrentFrame(const LatticePoint &place) const;
-    const std::vector<Vertex> &pendingVertices() const { return m_pending; }
+    const std::vector<Vertex> &pendingVertices() const { return m_now.pending; }
     QUndoStack *undoStack() { return &m_undoStack; }
     /// Whether closing would lose something: the primitives, settings or pending vertices differ
     /// from the saved ones. What was changed and changed back does not count, nor does another
@@ -52,7 +53,7 @@ public:
     PrimitiveKind kindOf(int primitive) const;
     const Shape &shapeAt(int primitive) const; ///< for primitives that are not triangles
     /// The number of triangles and shapes; a solid's triangles do not count.
-    int primitiveCount() const { return int(m_scene.triangles.size() + m_scene.shapes.size()); }
+    int primitiveCount() const { return int(scene().triangles.size() + scene().shapes.size()); }
     /// The vertices of a primitive, by number.
     std::vector<Vertex> verticesOf(int primitive) const;
     /// Whether a primitive can be moved by `places` in the drawing order (earlier: negative):
@@ -130,6 +131,7 @@ public slots:
     void setSettings(const pixelplumb::ScanSettings &settings);
     /// Pending vertices stay where the method draws the same kind of primitive.
     void setMethod(const std::string &method);
+
     /// Replaces the scene as one edit, which `text` names.
     void setScene(const pixelplumb::Scene &scene, const QString &text);
 
@@ -157,17 +159,13 @@ signals:
 private:
     friend class SceneEdit;
 
-    /// The small members, with no primitive, one, or all.
-    ScenePiece pieceAtEnd() const;
-    ScenePiece pieceWith(int primitive) const; ///< none for `pending`
-    ScenePiece wholePiece() const;
-    ScenePiece withPending(ScenePiece piece) const;
-    /// An edit of the piece, unless `change` leaves it as it is.
-    void edit(const QString &text, const ScenePiece &before,
-              const std::function<void(ScenePiece &)> &change,
+    /// An edit of the document, unless `change` leaves it as it is.
+    void edit(const QString &text, const std::function<void(DocumentState &)> &change,
               const std::optional<Drag> &drag = std::nullopt);
-    /// `state`: the number of the scene's state afterwards.
-    void exchange(const ScenePiece &before, const ScenePiece &after, int state);
+    void editScene(const QString &text, const std::function<void(Scene &)> &change,
+                   const std::optional<Drag> &drag = std::nullopt);
+    void changeShape(int primitive, const Shape &shape, const QString &text);
+    void exchange(const DocumentState &before, const DocumentState &after);
     void tellModified();
     bool hasSavedScene() const;
     bool accepts(const LatticePoint &position);
@@ -175,21 +173,16 @@ private:
     void tellSceneChanged();
     void tellAdaptation(const ScanSettings &asked);
 
-    Scene m_scene;
-    mutable std::shared_ptr<const Scene> m_snapshot; ///< null until asked for after a change
+    DocumentState m_now;
     int m_currentFrame = 0;
     LatticePoint m_way; ///< from frame 0 to the current frame
-    std::vector<Vertex> m_pending;
     QUndoStack m_undoStack;
-    /// Numbers of the scene's states; an edit of pending vertices alone keeps the number.
-    int m_state = 0;
-    int m_lastState = 0;
-    int m_savedState = 0;
+    int m_lastNumber = 0; ///< of a state
+    int m_savedNumber = 0;
     std::shared_ptr<const Scene> m_savedScene; ///< null: none counts as saved
     std::vector<Vertex> m_savedPending;
     bool m_toldModified = false;
     Snap m_snap = Snap::Pixel;
-    std::optional<Colour> m_chosenColour; ///< for the next vertex alone
     std::optional<VertexRef> m_selected;
     int m_lastDrag = 0;
 };

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/geometry/shapeediting.h"
-#include "widgets/model/renumbering.h"
+#include "core/methods/method.h"
 #include "widgets/model/scenedocument.h"
-#include "widgets/model/scenepiece.h"
 
 #include <algorithm>
+#include <utility>
 
 /// What a person can do to a document; each action is an edit on its undo stack.
 namespace pixelplumb {
@@ -17,32 +17,35 @@ bool isWithinRange(const FrameSpec &frame)
         && std::abs(std::int64_t(frame.firstRow)) <= largestPixel;
 }
 
-} // namespace
-
-void SceneDocument::edit(const QString &text, const ScenePiece &before,
-                         const std::function<void(ScenePiece &)> &change,
-                         const std::optional<Drag> &drag)
+/// Makes the pending vertices the last primitive.
+void completePending(DocumentState &state, PrimitiveKind kind)
 {
-    ScenePiece after = before;
-    change(after);
-    if (after != before)
-        m_undoStack.push(new SceneEdit(*this, text, before, after, drag));
+    Scene &scene = state.changedScene();
+    const std::vector<Vertex> vertices = std::exchange(state.pending, {});
+    const Method *drawing = methodNamed(QString::fromStdString(scene.method));
+    if (kind == PrimitiveKind::Triangle)
+        scene.triangles.push_back({{vertices[0], vertices[1], vertices[2]}});
+    else
+        scene.shapes.push_back(
+            shapeFrom(kind, vertices, drawing ? drawing->fills : std::vector<ShapeFill>()));
 }
+
+} // namespace
 
 void SceneDocument::placeVertex(const LatticePoint &position)
 {
     if (!accepts(position))
         return;
-    edit(tr("place vertex"), pieceAtEnd(), [&](ScenePiece &piece) {
-        piece.pending.push_back({position, nextColour()});
+    edit(tr("place vertex"), [&](DocumentState &after) {
+        after.pending.push_back({position, nextColour()});
         if (hasOneColour(placedKind())) { // the colour may have been chosen anew
-            for (Vertex &vertex : piece.pending)
+            for (Vertex &vertex : after.pending)
                 vertex.colour = nextColour();
         }
-        piece.chosenColour.reset();
+        after.chosenColour.reset();
         const std::optional<std::size_t> needed = placedVertexCount(placedKind());
-        if (needed && piece.pending.size() >= *needed)
-            piece.completePending(placedKind());
+        if (needed && after.pending.size() >= *needed)
+            completePending(after, placedKind());
     });
 }
 
@@ -51,56 +54,53 @@ void SceneDocument::moveVertex(const VertexRef &ref, const LatticePoint &positio
     const std::optional<Vertex> vertex = vertexAt(ref);
     if (!vertex || vertex->position == position || !accepts(position))
         return;
+    const auto triangles = int(scene().triangles.size());
     edit(
-        tr("move vertex"), pieceWith(ref.primitive),
-        [&](ScenePiece &piece) {
-            if (piece.scene.shapes.empty())
-                piece.vertex(ref).position = position;
+        tr("move vertex"),
+        [&](DocumentState &after) {
+            if (ref.primitive < triangles)
+                after.changedVertex(ref).position = position;
             else
-                pixelplumb::moveVertex(piece.scene.shapes.front(), std::size_t(ref.vertex),
-                                       position);
+                pixelplumb::moveVertex(
+                    after.changedScene().shapes[std::size_t(ref.primitive - triangles)],
+                    std::size_t(ref.vertex), position);
         },
         Drag{ref, drag});
 }
 
 void SceneDocument::setVertexColour(const VertexRef &ref, const Colour &colour)
 {
-    const std::optional<Vertex> vertex = vertexAt(ref);
-    if (!vertex)
+    if (!vertexAt(ref))
         return;
     if (ref.primitive != VertexRef::pending && hasOneColour(kindOf(ref.primitive)))
         return setPrimitiveColour(ref.primitive, colour);
-    edit(tr("change colour"), pieceWith(ref.primitive),
-         [&](ScenePiece &piece) { piece.vertex(ref).colour = colour; });
+    edit(tr("change colour"),
+         [&](DocumentState &after) { after.changedVertex(ref).colour = colour; });
 }
 
 void SceneDocument::setPrimitiveColour(int primitive, const Colour &colour)
 {
     if (primitive < 0 || primitive >= primitiveCount())
         return;
-    edit(tr("change colour"), pieceWith(primitive), [&](ScenePiece &piece) {
-        for (int vertex = 0; vertex < int(verticesOf(primitive).size()); ++vertex)
-            piece.vertex({primitive, vertex}).colour = colour;
+    editScene(tr("change colour"), [&](Scene &changed) {
+        const auto paint = [&colour](auto &vertices) {
+            for (Vertex &vertex : vertices)
+                vertex.colour = colour;
+        };
+        const auto place = std::size_t(primitive);
+        const std::size_t triangles = changed.triangles.size();
+        place < triangles ? paint(changed.triangles[place].vertices)
+                          : paint(changed.shapes[place - triangles].vertices);
     });
-}
-
-void SceneDocument::movePrimitive(int primitive, int places)
-{
-    if (places == 0 || !canMovePrimitive(primitive, places))
-        return;
-    const auto first = std::size_t(std::min(primitive, primitive + places));
-    edit(tr("change drawing order"),
-         withPending(pieceWithRun(m_scene, first, std::size_t(std::abs(places)) + 1)),
-         [&](ScenePiece &piece) { piece.rotate(places > 0 ? 1 : -1); });
 }
 
 void SceneDocument::addTriangle(const Triangle &triangle, const TriangleAttributes &attributes)
 {
-    if (!std::ranges::all_of(triangle.vertices,
-                             [this](const Vertex &vertex) { return accepts(vertex.position); }))
-        return;
-    edit(tr("add triangle"), pieceAtEnd(),
-         [&](ScenePiece &piece) { piece.setTriangle(triangle, attributes); });
+    if (std::ranges::all_of(triangle.vertices,
+                            [this](const Vertex &vertex) { return accepts(vertex.position); }))
+        editScene(tr("add triangle"), [&](Scene &changed) {
+            insert(changed, {changed.triangles.size(), HiddenTriangle{triangle, attributes}});
+        });
 }
 
 void SceneDocument::setTriangle(int primitive, const Triangle &triangle,
@@ -110,16 +110,17 @@ void SceneDocument::setTriangle(int primitive, const Triangle &triangle,
         || !std::ranges::all_of(triangle.vertices,
                                 [this](const Vertex &vertex) { return accepts(vertex.position); }))
         return;
-    edit(tr("change triangle"), pieceWith(primitive),
-         [&](ScenePiece &piece) { piece.setTriangle(triangle, attributes); });
+    editScene(tr("change triangle"), [&](Scene &changed) {
+        const std::size_t place = take(changed, primitive).place;
+        insert(changed, {place, HiddenTriangle{triangle, attributes}});
+    });
 }
 
 void SceneDocument::closePending()
 {
-    if (!canClosePending())
-        return;
-    edit(tr("close polygon"), pieceAtEnd(),
-         [&](ScenePiece &piece) { piece.completePending(PrimitiveKind::Polygon); });
+    if (canClosePending())
+        edit(tr("close polygon"),
+             [](DocumentState &after) { completePending(after, PrimitiveKind::Polygon); });
 }
 
 void SceneDocument::setText(int primitive, const QString &text)
@@ -127,26 +128,31 @@ void SceneDocument::setText(int primitive, const QString &text)
     if (primitive < 0 || primitive >= primitiveCount() || kindOf(primitive) != PrimitiveKind::Text
         || text.isEmpty())
         return;
-    edit(tr("change text"), pieceWith(primitive),
-         [&](ScenePiece &piece) { piece.scene.shapes.front().text = text.toStdString(); });
+    Shape shape = shapeAt(primitive);
+    shape.text = text.toStdString();
+    changeShape(primitive, shape, tr("change text"));
 }
 
 void SceneDocument::setForm(int primitive, const Shape &shape)
 {
-    edit(tr("change form"), pieceWith(primitive),
-         [&](ScenePiece &piece) { piece.scene.shapes.front() = shape; });
+    changeShape(primitive, shape, tr("change form"));
+}
+
+void SceneDocument::changeShape(int primitive, const Shape &shape, const QString &text)
+{
+    editScene(text, [&](Scene &changed) {
+        changed.shapes[std::size_t(primitive) - changed.triangles.size()] = shape;
+    });
 }
 
 void SceneDocument::deleteVertex(const VertexRef &ref)
 {
-    if (ref.primitive != VertexRef::pending) {
-        deletePrimitive(ref.primitive);
-        return;
-    }
-    if (!vertexAt(ref))
-        return;
-    edit(tr("delete vertex"), pieceAtEnd(),
-         [&](ScenePiece &piece) { piece.pending.erase(piece.pending.begin() + ref.vertex); });
+    if (ref.primitive != VertexRef::pending)
+        return deletePrimitive(ref.primitive);
+    if (vertexAt(ref))
+        edit(tr("delete vertex"), [&](DocumentState &after) {
+            after.pending.erase(after.pending.begin() + ref.vertex);
+        });
 }
 
 /// Pending vertices are undone edit by edit, so that the next undo concerns what came before them;
@@ -159,28 +165,29 @@ void SceneDocument::discardPending()
             = last >= 0 ? dynamic_cast<const SceneEdit *>(m_undoStack.command(last)) : nullptr;
         return edit && edit->keepsScene();
     };
-    while (!m_pending.empty() && isOfPending())
+    while (!m_now.pending.empty() && isOfPending())
         m_undoStack.undo();
-    if (m_pending.empty())
+    if (m_now.pending.empty())
         return;
-    edit(tr("discard vertices"), pieceAtEnd(), [&](ScenePiece &piece) { piece.pending.clear(); });
+    edit(tr("discard vertices"), [](DocumentState &after) { after.pending.clear(); });
 }
 
 void SceneDocument::clear()
 {
-    if (m_pending.empty() && m_scene.isEmpty() && m_scene.hiddenCount() == 0)
-        return;
-    edit(tr("clear"), wholePiece(), [&](ScenePiece &piece) {
-        piece.clearRun();
-        piece.scene.hidden.clear();
-        piece.scene.solids.clear();
-        piece.pending.clear();
+    edit(tr("clear"), [](DocumentState &after) {
+        Scene &changed = after.changedScene();
+        changed.triangles.clear();
+        changed.attributes.clear();
+        changed.shapes.clear();
+        changed.hidden.clear();
+        changed.solids.clear();
+        after.pending.clear();
     });
 }
 
 void SceneDocument::setFrame(const FrameSpec &frame)
 {
-    if (frame == m_scene.frame)
+    if (frame == scene().frame)
         return;
     if (frame.width < 1 || frame.height < 1 || frame.width > largestFrameSide
         || frame.height > largestFrameSide
@@ -204,27 +211,26 @@ void SceneDocument::setFrame(const FrameSpec &frame)
         emit refused(tr("The off-screen point lies beyond ±2^30 px."));
         return;
     }
-    edit(tr("change frame"), pieceAtEnd(), [&](ScenePiece &piece) { piece.scene.frame = frame; });
+    editScene(tr("change frame"), [&](Scene &changed) { changed.frame = frame; });
 }
 
 void SceneDocument::setAppearance(const Appearance &appearance)
 {
-    edit(tr("change appearance"), pieceAtEnd(),
-         [&](ScenePiece &piece) { piece.scene.appearance = appearance; });
+    editScene(tr("change appearance"), [&](Scene &changed) { changed.appearance = appearance; });
 }
 
 void SceneDocument::setLook(const std::optional<Camera> &camera, const Appearance &appearance)
 {
-    edit(tr("change camera, light and materials"), pieceAtEnd(), [&](ScenePiece &piece) {
-        piece.scene.camera = camera;
-        piece.scene.appearance = appearance;
+    editScene(tr("change camera, light and materials"), [&](Scene &changed) {
+        changed.camera = camera;
+        changed.appearance = appearance;
     });
 }
 
 void SceneDocument::setMotion(const std::optional<Motion> &motion)
 {
-    edit(motion ? tr("change motion") : tr("end motion"), pieceAtEnd(),
-         [&](ScenePiece &piece) { piece.scene.motion = motion; });
+    editScene(motion ? tr("change motion") : tr("end motion"),
+              [&](Scene &changed) { changed.motion = motion; });
 }
 
 void SceneDocument::moveOffScreenPoint(const LatticePoint &position, int drag)
@@ -233,10 +239,9 @@ void SceneDocument::moveOffScreenPoint(const LatticePoint &position, int drag)
         emit refused(tr("The off-screen point lies beyond ±2^30 px."));
         return;
     }
-    edit(
-        tr("move off-screen point"), pieceAtEnd(),
-        [&](ScenePiece &piece) { piece.scene.frame.offScreenPoint = position; },
-        Drag{VertexRef(), drag});
+    editScene(
+        tr("move off-screen point"),
+        [&](Scene &changed) { changed.frame.offScreenPoint = position; }, Drag{VertexRef(), drag});
 }
 
 } // namespace pixelplumb

@@ -10,33 +10,19 @@ namespace pixelplumb {
 
 namespace {
 
-/// The run's only primitive, with its place.
-HiddenPrimitive onlyPrimitive(const ScenePiece &piece)
+/// Whether a hidden primitive comes after a place among the drawn triangles, or shapes.
+bool isBehind(const HiddenPrimitive &place, const HiddenPrimitive &each)
 {
-    if (!piece.scene.shapes.empty())
-        return {piece.firstShape, piece.scene.shapes.front()};
-    HiddenTriangle kept{piece.scene.triangles.front(), {}};
-    if (!piece.scene.attributes.empty())
-        kept.attributes = piece.scene.attributes.front();
-    kept.attributes.triangle = 0;
-    return {piece.firstTriangle, kept};
+    return each.isTriangle() == place.isTriangle() && each.place > place.place;
 }
 
-/// Selects hidden primitives after a place among the drawn triangles, or shapes.
-auto behind(const HiddenPrimitive &place)
+/// Removes a primitive from those drawn.
+HiddenPrimitive removed(Scene &scene, int primitive)
 {
-    return [&place](const HiddenPrimitive &each) {
-        return each.isTriangle() == place.isTriangle() && each.place > place.place;
-    };
-}
-
-/// Removes the run's only primitive from those drawn.
-void removeRun(ScenePiece &piece)
-{
-    const HiddenPrimitive removed = onlyPrimitive(piece);
-    piece.clearRun();
-    for (HiddenPrimitive &each : piece.scene.hidden)
-        each.place -= behind(removed)(each) ? 1 : 0;
+    HiddenPrimitive taken = take(scene, primitive);
+    for (HiddenPrimitive &each : scene.hidden)
+        each.place -= isBehind(taken, each) ? 1 : 0;
+    return taken;
 }
 
 /// The scene with the hidden primitives among those drawn.
@@ -49,22 +35,17 @@ Scene allShown(const Scene &scene)
     all.shapes.clear();
     for (Solid &solid : all.solids)
         solid.isHidden = false;
-    const auto appendTriangle = [&all](const Triangle &triangle, TriangleAttributes attributes) {
-        attributes.triangle = 0;
-        if (attributes != TriangleAttributes()) {
-            attributes.triangle = all.triangles.size();
-            all.attributes.push_back(attributes);
-        }
-        all.triangles.push_back(triangle);
+    const auto append = [&all](const Triangle &triangle, const TriangleAttributes &attributes) {
+        insert(all, {all.triangles.size(), HiddenTriangle{triangle, attributes}});
     };
     visitTriangles(
         scene,
         [&](std::size_t index, const TriangleAttributes *attributes) {
-            appendTriangle(scene.triangles[index], attributes ? *attributes : TriangleAttributes());
+            append(scene.triangles[index], attributes ? *attributes : TriangleAttributes());
         },
         [&](std::size_t index) {
             const auto &kept = std::get<HiddenTriangle>(scene.hidden[index].primitive);
-            appendTriangle(kept.triangle, kept.attributes);
+            append(kept.triangle, kept.attributes);
         });
     visitShapes(
         scene, [&](std::size_t index) { all.shapes.push_back(scene.shapes[index]); },
@@ -76,62 +57,64 @@ Scene allShown(const Scene &scene)
 
 } // namespace
 
+void SceneDocument::movePrimitive(int primitive, int places)
+{
+    if (places == 0 || !canMovePrimitive(primitive, places))
+        return;
+    editScene(tr("change drawing order"), [&](Scene &changed) {
+        HiddenPrimitive moved = take(changed, primitive);
+        moved.place += std::size_t(places);
+        insert(changed, moved);
+    });
+}
+
 void SceneDocument::deletePrimitive(int primitive)
 {
-    if (primitive < 0 || primitive >= primitiveCount())
-        return;
-    edit(tr("delete primitive"), pieceWith(primitive),
-         [&](ScenePiece &piece) { removeRun(piece); });
+    if (primitive >= 0 && primitive < primitiveCount())
+        editScene(tr("delete primitive"), [&](Scene &changed) { removed(changed, primitive); });
 }
 
 void SceneDocument::hidePrimitive(int primitive)
 {
     if (primitive < 0 || primitive >= primitiveCount())
         return;
-    const ScenePiece before = pieceWith(primitive);
-    ScenePiece after = before;
-    const HiddenPrimitive hidden = onlyPrimitive(before);
-    const auto isBehind = [&hidden](const HiddenPrimitive &each) {
-        return behind(hidden)(each) || (hidden.isTriangle() && !each.isTriangle());
-    };
-    after.scene.hidden.insert(std::ranges::find_if(after.scene.hidden, isBehind), hidden);
-    removeRun(after);
-    m_undoStack.push(new SceneEdit(*this, tr("hide primitive"), before, after));
+    editScene(tr("hide primitive"), [&](Scene &changed) {
+        const auto triangles = int(changed.triangles.size());
+        const bool isTriangle = primitive < triangles;
+        const auto place = std::size_t(isTriangle ? primitive : primitive - triangles);
+        const auto later = std::ranges::find_if(changed.hidden, [&](const HiddenPrimitive &each) {
+            return each.isTriangle() == isTriangle ? each.place > place : isTriangle;
+        });
+        const auto index = later - changed.hidden.begin();
+        const HiddenPrimitive hidden = removed(changed, primitive);
+        changed.hidden.insert(changed.hidden.begin() + index, hidden);
+    });
 }
 
 void SceneDocument::showHidden(int index)
 {
     if (index < 0 || index >= hiddenCount())
         return;
-    ScenePiece before = pieceAtEnd();
-    const HiddenPrimitive hidden = before.scene.hidden[std::size_t(index)];
-    (hidden.isTriangle() ? before.firstTriangle : before.firstShape) = hidden.place;
-    ScenePiece after = before;
-    if (const auto *triangle = std::get_if<HiddenTriangle>(&hidden.primitive))
-        after.setTriangle(triangle->triangle, triangle->attributes);
-    else
-        after.scene.shapes = {std::get<Shape>(hidden.primitive)};
-    auto later = after.scene.hidden.erase(after.scene.hidden.begin() + index);
-    for (; later != after.scene.hidden.end(); ++later) {
-        if (later->isTriangle() == hidden.isTriangle())
-            ++later->place;
-    }
-    m_undoStack.push(new SceneEdit(*this, tr("show primitive"), before, after));
+    editScene(tr("show primitive"), [&](Scene &changed) {
+        const HiddenPrimitive shown = changed.hidden[std::size_t(index)];
+        auto later = changed.hidden.erase(changed.hidden.begin() + index);
+        for (; later != changed.hidden.end(); ++later)
+            later->place += later->isTriangle() == shown.isTriangle() ? 1 : 0;
+        insert(changed, shown);
+    });
 }
 
 void SceneDocument::showAllHidden()
 {
-    if (m_scene.hiddenCount() == 0)
-        return;
-    setScene(allShown(m_scene), tr("show all primitives"));
+    if (scene().hiddenCount() > 0)
+        setScene(allShown(scene()), tr("show all primitives"));
 }
 
 void SceneDocument::deleteHidden(int index)
 {
-    if (index < 0 || index >= hiddenCount())
-        return;
-    edit(tr("delete primitive"), pieceAtEnd(),
-         [&](ScenePiece &piece) { piece.scene.hidden.erase(piece.scene.hidden.begin() + index); });
+    if (index >= 0 && index < hiddenCount())
+        editScene(tr("delete primitive"),
+                  [&](Scene &changed) { changed.hidden.erase(changed.hidden.begin() + index); });
 }
 
 } // namespace pixelplumb

@@ -4,7 +4,6 @@
 #include "widgets/look/corewords.h"
 #include "widgets/model/runnotes.h"
 #include "widgets/model/scenedocument.h"
-#include "widgets/model/scenepiece.h"
 
 #include <algorithm>
 #include <cstdlib>
@@ -14,7 +13,7 @@ namespace pixelplumb {
 
 namespace {
 
-constexpr int noState = -1; ///< of the scene
+constexpr int noNumber = -1; ///< of a state
 
 PrimitiveKind kindPlacedWith(const Method &method)
 {
@@ -28,13 +27,6 @@ bool antialiasesLines(const Method &method)
 }
 
 } // namespace
-
-std::shared_ptr<const Scene> SceneDocument::snapshot() const
-{
-    if (!m_snapshot)
-        m_snapshot = std::make_shared<const Scene>(m_scene);
-    return m_snapshot;
-}
 
 std::shared_ptr<const Scene> SceneDocument::currentSnapshot() const
 {
@@ -65,16 +57,15 @@ void SceneDocument::setCurrentFrame(int frame)
 void SceneDocument::followMotion()
 {
     Scene origin;
-    origin.motion = m_scene.motion;
+    origin.motion = scene().motion;
     origin.triangles.resize(1);
-    const int last = m_scene.motion ? m_scene.motion->frames - 1 : 0;
+    const int last = scene().motion ? scene().motion->frames - 1 : 0;
     m_currentFrame = std::clamp(m_currentFrame, 0, last);
     m_way = sceneAtFrame(origin, m_currentFrame).triangles.front().vertices[0].position;
 }
 
 void SceneDocument::tellSceneChanged()
 {
-    m_snapshot.reset();
     followMotion();
     emit sceneChanged();
 }
@@ -82,23 +73,23 @@ void SceneDocument::tellSceneChanged()
 void SceneDocument::markSaved()
 {
     m_undoStack.setClean();
-    m_savedState = m_state;
+    m_savedNumber = m_now.number;
     m_savedScene = snapshot();
-    m_savedPending = m_pending;
+    m_savedPending = m_now.pending;
     tellModified();
 }
 
 void SceneDocument::markUnsaved()
 {
     m_undoStack.resetClean();
-    m_savedState = noState;
+    m_savedNumber = noNumber;
     m_savedScene.reset();
     tellModified();
 }
 
 bool SceneDocument::isModified() const
 {
-    return m_pending != m_savedPending || (m_state != m_savedState && !hasSavedScene());
+    return m_now.pending != m_savedPending || (m_now.number != m_savedNumber && !hasSavedScene());
 }
 
 /// Whether the scene is the saved one, perhaps by another method and the settings it supports.
@@ -106,14 +97,13 @@ bool SceneDocument::hasSavedScene() const
 {
     if (!m_savedScene)
         return false;
-    const Scene &saved = *m_savedScene;
-    ScenePiece before = pixelplumb::pieceAtEnd(saved);
-    before.scene.method = m_scene.method;
-    if (const Method *method = methodNamed(QString::fromStdString(m_scene.method)))
-        before.scene.settings = method->adapted(saved.settings);
-    return before == pixelplumb::pieceAtEnd(m_scene) && saved.triangles == m_scene.triangles
-        && saved.attributes == m_scene.attributes && saved.solids == m_scene.solids
-        && saved.shapes == m_scene.shapes;
+    if (m_savedScene->triangles != scene().triangles)
+        return false; // before a large scene is copied
+    Scene saved = *m_savedScene;
+    saved.method = scene().method;
+    if (const Method *method = methodNamed(QString::fromStdString(saved.method)))
+        saved.settings = method->adapted(saved.settings);
+    return saved == scene();
 }
 
 void SceneDocument::tellModified()
@@ -126,22 +116,21 @@ void SceneDocument::tellModified()
 
 PrimitiveKind SceneDocument::placedKind() const
 {
-    const Method *method = methodNamed(QString::fromStdString(m_scene.method));
+    const Method *method = methodNamed(QString::fromStdString(scene().method));
     return method ? kindPlacedWith(*method) : PrimitiveKind::Triangle;
 }
 
 void SceneDocument::setSettings(const ScanSettings &settings)
 {
-    const Method *method = methodNamed(QString::fromStdString(m_scene.method));
+    const Method *method = methodNamed(QString::fromStdString(scene().method));
     const ScanSettings kept = method ? method->adapted(settings) : settings;
-    edit(tr("change settings"), pieceAtEnd(),
-         [&](ScenePiece &piece) { piece.scene.settings = kept; });
+    editScene(tr("change settings"), [&](Scene &changed) { changed.settings = kept; });
     tellAdaptation(settings);
 }
 
 void SceneDocument::setMethod(const std::string &method)
 {
-    if (method == m_scene.method)
+    if (method == scene().method)
         return;
     const QString name = QString::fromStdString(method);
     const Method *chosen = methodNamed(name);
@@ -149,21 +138,20 @@ void SceneDocument::setMethod(const std::string &method)
         emit refused(tr("There is no method “%1”.").arg(name));
         return;
     }
-    const ScanSettings asked = m_scene.settings;
-    const ScenePiece before = pieceAtEnd();
-    ScenePiece after = before;
-    after.scene.settings = chosen->adapted(asked);
-    after.scene.method = method;
-    if (kindPlacedWith(*chosen) != placedKind())
+    const ScanSettings asked = scene().settings;
+    DocumentState after = m_now; // with its number: only another view of the scene
+    Scene &changed = after.changedScene();
+    changed.settings = chosen->adapted(asked);
+    changed.method = method;
+    const auto dropped = kindPlacedWith(*chosen) == placedKind() ? 0 : int(after.pending.size());
+    if (dropped > 0)
         after.pending.clear();
-    m_undoStack.push(new SceneEdit(*this, tr("change method"), before, after, std::nullopt,
-                                   SceneEdit::Of::View));
+    m_undoStack.push(new SceneEdit(*this, tr("change method"), m_now, after, std::nullopt));
     tellAdaptation(asked);
-    if (antialiasesLines(*chosen) && antialiasingOf(m_scene.appearance) == Antialiasing::None)
+    if (antialiasesLines(*chosen) && antialiasingOf(scene().appearance) == Antialiasing::None)
         emit notice(
             tr("With one sample a pixel, lines have stairs and differ from the truth, which "
                "is the nearest pixels: Effects ▸ exact area makes them even."));
-    const auto dropped = int(before.pending.size() - after.pending.size());
     if (dropped > 0)
         emit verticesDropped(
             tr("%n waiting vertices dropped: “%1” draws another kind of primitive. "
@@ -174,7 +162,7 @@ void SceneDocument::setMethod(const std::string &method)
 
 void SceneDocument::tellAdaptation(const ScanSettings &asked)
 {
-    const Method *method = methodNamed(QString::fromStdString(m_scene.method));
+    const Method *method = methodNamed(QString::fromStdString(scene().method));
     const QString note = method ? adaptationNote(*method, asked) : QString();
     if (!note.isEmpty())
         emit notice(note);
@@ -182,25 +170,22 @@ void SceneDocument::tellAdaptation(const ScanSettings &asked)
 
 void SceneDocument::setSolid(std::size_t index, const Solid &solid, int drag)
 {
-    if (index >= m_scene.solids.size())
-        return;
-    edit(
-        tr("change solid"), withPending(pieceWithSolids(m_scene, index, 1)),
-        [&](ScenePiece &piece) { piece.scene.solids = {solid}; }, Drag{VertexRef(), drag});
+    if (index < scene().solids.size())
+        editScene(
+            tr("change solid"), [&](Scene &changed) { changed.solids[index] = solid; },
+            Drag{VertexRef(), drag});
 }
 
 void SceneDocument::setSolidShown(std::size_t index, bool shown)
 {
-    if (index >= m_scene.solids.size() || m_scene.solids[index].isHidden != shown)
-        return;
-    edit(shown ? tr("show solid") : tr("hide solid"),
-         withPending(pieceWithSolids(m_scene, index, 1)),
-         [&](ScenePiece &piece) { piece.scene.solids.front().isHidden = !shown; });
+    if (index < scene().solids.size())
+        editScene(shown ? tr("show solid") : tr("hide solid"),
+                  [&](Scene &changed) { changed.solids[index].isHidden = !shown; });
 }
 
 bool SceneDocument::canMoveSolid(std::size_t index, int places) const
 {
-    const auto count = std::ptrdiff_t(m_scene.solids.size());
+    const auto count = std::ptrdiff_t(scene().solids.size());
     const auto from = std::ptrdiff_t(index);
     return from < count && from + places >= 0 && from + places < count;
 }
@@ -209,18 +194,19 @@ void SceneDocument::moveSolid(std::size_t index, int places)
 {
     if (places == 0 || !canMoveSolid(index, places))
         return;
-    const std::size_t first = places > 0 ? index : index - std::size_t(-places);
-    edit(tr("change drawing order"),
-         withPending(pieceWithSolids(m_scene, first, std::size_t(std::abs(places)) + 1)),
-         [&](ScenePiece &piece) { piece.rotate(places > 0 ? 1 : -1); });
+    editScene(tr("change drawing order"), [&](Scene &changed) {
+        const Solid moved = changed.solids[index];
+        changed.solids.erase(changed.solids.begin() + std::ptrdiff_t(index));
+        changed.solids.insert(changed.solids.begin() + std::ptrdiff_t(index) + places, moved);
+    });
 }
 
 void SceneDocument::deleteSolid(std::size_t index)
 {
-    if (index >= m_scene.solids.size())
-        return;
-    edit(tr("delete solid"), withPending(pieceWithSolids(m_scene, index, 1)),
-         [&](ScenePiece &piece) { piece.scene.solids.clear(); });
+    if (index < scene().solids.size())
+        editScene(tr("delete solid"), [&](Scene &changed) {
+            changed.solids.erase(changed.solids.begin() + std::ptrdiff_t(index));
+        });
 }
 
 } // namespace pixelplumb

@@ -148,6 +148,41 @@ private slots:
         QVERIFY(!document.isModified());
     }
 
+    void theSelectionGoesWithItsPrimitiveForwardsAndBack()
+    {
+        SceneDocument document;
+        Scene scene;
+        scene.triangles = {triangle(0), triangle(10), triangle(20), triangle(30)};
+        document.reset(scene);
+        document.selectVertex(VertexRef{1, 2});
+        const auto selected = [&] { return document.selectedVertex().value_or(VertexRef{}); };
+
+        document.movePrimitive(1, 2);
+        QCOMPARE(selected(), (VertexRef{3, 2}));
+        document.movePrimitive(0, 1);
+        document.hidePrimitive(0);
+        QCOMPARE(selected(), (VertexRef{2, 2}));
+        document.moveVertex({2, 0}, latticePixel(50, 50), document.newDrag());
+        document.showAllHidden();
+        QCOMPARE(selected(), (VertexRef{3, 2}));
+        while (document.undoStack()->canUndo())
+            document.undoStack()->undo();
+        QCOMPARE(selected(), (VertexRef{1, 2}));
+        QCOMPARE(document.scene(), scene);
+    }
+
+    /// Each step keeps a scene.
+    void aSceneOfManyPrimitivesCanBeUndoneInFewerSteps()
+    {
+        SceneDocument document;
+        Scene scene;
+        scene.triangles.assign(100'000, triangle(0));
+        document.reset(scene);
+        QCOMPARE(document.undoStack()->undoLimit(), 39);
+        document.reset({});
+        QVERIFY(document.undoStack()->undoLimit() > 1'000'000);
+    }
+
     void resetForgetsHistoryAndIsUnmodified()
     {
         SceneDocument document;
