@@ -31,4 +31,15 @@ private:
 /// The pages that are documents; `first`: those that come after the first one.
 QList<ManualPage> manualPages(const QList<ManualPage> &first);
 
+/// Every key of the window, read from its menus, so that the sheet never disagrees with the keys.
+class KeySheet : public QDialog {
+    Q_OBJECT
+
+public:
+    explicit KeySheet(const QList<QMenu *> &menus, QWidget *parent = nullptr);
+};
+
+/// A table per menu, a row per action that has a key.
+QString keySheetHtml(const QList<QMenu *> &menus);
+
 } // namespace pixelplumb

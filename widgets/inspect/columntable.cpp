@@ -4,8 +4,8 @@
 #include "widgets/inspect/tableparts.h"
 #include "widgets/look/parts.h"
 #include "widgets/model/columntablemodel.h"
-#include "widgets/model/placinghint.h"
 #include "widgets/model/playhead.h"
+#include "widgets/model/runnotes.h"
 
 #include <algorithm>
 #include <numeric>

@@ -7,8 +7,8 @@
 #include "widgets/look/parts.h"
 #include "widgets/look/signs.h"
 #include "widgets/look/typesetting.h"
-#include "widgets/model/placinghint.h"
 #include "widgets/model/playhead.h"
+#include "widgets/model/runnotes.h"
 
 #include <algorithm>
 #include <cmath>

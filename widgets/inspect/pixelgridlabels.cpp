@@ -2,7 +2,7 @@
 #include "widgets/inspect/pixelgridpainter.h"
 #include "widgets/look/corewords.h"
 #include "widgets/look/numberformat.h"
-#include "widgets/look/symboltext.h"
+#include "widgets/look/typesetting.h"
 
 #include <QtWidgets>
 

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "widgets/inspect/predictjudging.h"
 
 #include "core/methods/words/formulatext.h"
 #include "core/runs/tracedscene.h"

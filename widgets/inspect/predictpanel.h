@@ -90,4 +90,7 @@ private:
     int m_right = 0;
 };
 
+/// The verdict on an answer in Predict, with the reason when it is right.
+QString verdictText(const Prediction &prediction, Guess guess);
+
 } // namespace pixelplumb

@@ -2,7 +2,6 @@
 #include "widgets/inspect/tableparts.h"
 
 #include "widgets/look/signs.h"
-#include "widgets/look/symboltext.h"
 #include "widgets/look/typesetting.h"
 #include "widgets/model/columntablemodel.h"
 

@@ -4,7 +4,6 @@
 #include "core/grade/showntext.h"
 #include "core/scene/text/shortened.h"
 #include "widgets/look/numberformat.h"
-#include "widgets/look/symboltext.h"
 
 #include <QtWidgets>
 
@@ -29,6 +28,14 @@ QString withoutChannel(QString symbols, QChar channel)
 {
     const QRegularExpression letter(u"(?<![A-Za-z_])%1(?![A-Za-z])"_s.arg(channel));
     return symbols.replace(letter, u"C"_s);
+}
+
+constexpr double subscriptSize = 0.75; // relative to the line's
+constexpr double subscriptDrop = 0.18; // relative to the line's ascent
+
+double pixelSizeOf(const QFont &font)
+{
+    return font.pixelSize() > 0 ? font.pixelSize() : font.pointSizeF();
 }
 
 } // namespace
@@ -124,6 +131,75 @@ std::vector<ChannelFormula> channelFormulas(std::span<const FormulaLine> lines)
             formula->lines.push_back(&line);
     }
     return formulas;
+}
+
+using namespace Qt::StringLiterals;
+
+SymbolText::SymbolText(const QString &text)
+    : m_runs(symbolRuns(text))
+{
+}
+
+QString SymbolText::html() const
+{
+    QString html;
+    for (const SymbolRun &run : m_runs) {
+        const QString text = run.text.toHtmlEscaped();
+        html += run.level == SymbolRun::Level::Subscript ? u"<sub>%1</sub>"_s.arg(text) : text;
+    }
+    return html;
+}
+
+QFont SymbolText::fontFor(SymbolRun::Level level, const QFont &font)
+{
+    if (level == SymbolRun::Level::Line)
+        return font;
+    QFont smaller = font;
+    const double size = pixelSizeOf(font) * subscriptSize;
+    if (font.pixelSize() > 0)
+        smaller.setPixelSize(qRound(size));
+    else
+        smaller.setPointSizeF(size);
+    return smaller;
+}
+
+double SymbolText::width(const QFont &font) const
+{
+    double width = 0;
+    for (const SymbolRun &run : m_runs)
+        width += QFontMetricsF(fontFor(run.level, font)).horizontalAdvance(run.text);
+    return width;
+}
+
+double SymbolText::draw(QPainter &painter, const QPointF &baseline, const QFont &font) const
+{
+    const double drop = QFontMetricsF(font).ascent() * subscriptDrop;
+    QPointF position = baseline;
+    for (const SymbolRun &run : m_runs) {
+        const QFont runFont = fontFor(run.level, font);
+        painter.setFont(runFont);
+        painter.drawText(position + QPointF(0, run.level == SymbolRun::Level::Subscript ? drop : 0),
+                         run.text);
+        position.rx() += QFontMetricsF(runFont).horizontalAdvance(run.text);
+    }
+    return position.x() - baseline.x();
+}
+
+QString toolTipHtml(const QStringList &lines)
+{
+    QStringList html;
+    for (const QString &line : lines)
+        html += SymbolText(line).html();
+    return u"<qt>%1</qt>"_s.arg(html.join(u"<br>"_s));
+}
+
+std::optional<Sign> edgeSignOf(const QString &symbol)
+{
+    if (symbol.contains(QLatin1String("_B")))
+        return Sign::LowerEdge;
+    if (symbol.contains(QLatin1String("_T")))
+        return Sign::UpperEdge;
+    return std::nullopt;
 }
 
 } // namespace pixelplumb

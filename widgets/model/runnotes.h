@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/geometry/shape.h"
 #include "core/scene/scenefile.h"
 
 #include <QString>
@@ -11,6 +12,7 @@ namespace pixelplumb {
 
 struct Method;
 struct ScanSettings;
+struct Scene;
 struct TracedScene;
 
 // Texts of the message bar for a scene or a run that is not what a person expects.
@@ -38,5 +40,18 @@ QString verdictNote(const TracedScene &traced);
 
 QString cutRunNote(const TracedScene &traced); ///< its recording ended at a limit
 QString cancelledRunNote();
+
+enum class FrameContent { Empty, Drawn };
+
+/// What the next click on the canvas does: shown while a primitive is incomplete, and in an empty
+/// frame.
+QString placingHint(PrimitiveKind kind, std::size_t pendingVertices, FrameContent content);
+
+/// Shown where the scene's method draws none of its primitives: what the method draws, and which
+/// method draws these; or that all are hidden. Empty where it draws one, and for an empty scene.
+QString foreignSceneHint(const Scene &scene);
+
+/// Why a run has no steps to show, and what to do about it; without a run, that it is being traced.
+QString emptyRunText(const TracedScene *traced);
 
 } // namespace pixelplumb

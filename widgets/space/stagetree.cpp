@@ -3,7 +3,7 @@
 
 #include "widgets/look/numberformat.h"
 #include "widgets/look/parts.h"
-#include "widgets/look/symboltext.h"
+#include "widgets/look/typesetting.h"
 
 #include <cmath>
 #include <set>

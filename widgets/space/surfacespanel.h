@@ -3,6 +3,9 @@
 
 #include <QtWidgets>
 
+#include <array>
+#include <optional>
+
 namespace pixelplumb {
 
 class Playhead;
@@ -28,6 +31,27 @@ private:
     QLabel *m_parameters;
     QTextBrowser *m_forms;
     bool m_isStale = true;
+};
+
+/// Sliders for the segments of the document's first sphere or patch ("segmentsAround" and
+/// "segmentsAlong"); hidden where there is none. The moves of one drag are one edit.
+class SegmentSliders : public QWidget {
+    Q_OBJECT
+
+public:
+    explicit SegmentSliders(SceneDocument *document, QWidget *parent = nullptr);
+
+private:
+    QSlider *makeSlider(const QString &name, const QString &tip);
+    /// The solid's index; none where the document has no sphere and no patch.
+    std::optional<std::size_t> solid() const;
+    void follow();
+    void apply();
+
+    SceneDocument *m_document;
+    std::array<QSlider *, 2> m_sliders;
+    QLabel *m_numbers;
+    int m_drag = 0;
 };
 
 } // namespace pixelplumb

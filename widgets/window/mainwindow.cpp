@@ -27,7 +27,6 @@
 #include "widgets/window/editmenu.h"
 #include "widgets/window/menus.h"
 #include "widgets/window/methodbar.h"
-#include "widgets/window/methodmenu.h"
 #include "widgets/window/studylinks.h"
 #include "widgets/window/viewmenu.h"
 #include "widgets/window/whatsthis.h"

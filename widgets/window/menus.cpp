@@ -4,7 +4,6 @@
 #include "core/layers/layer.h"
 #include "widgets/canvas/imagehandles.h"
 #include "widgets/dialogs/gotodialog.h"
-#include "widgets/dialogs/keysheet.h"
 #include "widgets/dialogs/manual.h"
 #include "widgets/files/recentfiles.h"
 #include "widgets/files/sceneexports.h"

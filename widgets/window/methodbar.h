@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/runs/explain/idlesetting.h"
+#include "widgets/window/windowparts.h"
 
 #include <QtWidgets>
 
@@ -39,6 +40,21 @@ private:
     Setting m_arithmetic;
     Setting m_fillRule;
     Setting m_rounding;
+};
+
+/// The methods, by the digits 1 … 9 on the canvas, and departures from the right algorithm. What
+/// the method refuses is grey and says why.
+class MethodMenu : public QMenu {
+    Q_OBJECT
+
+public:
+    MethodMenu(const WindowParts &parts, QWidget *window);
+
+private:
+    void addMethods(Canvas *canvas);
+    void addVariants(); ///< can be combined
+
+    SceneDocument *m_document;
 };
 
 } // namespace pixelplumb

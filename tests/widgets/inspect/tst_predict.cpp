@@ -6,7 +6,6 @@
 #include "widgets/canvas/canvas.h"
 #include "widgets/inspect/methodpanel.h"
 #include "widgets/inspect/pixelhistorypanel.h"
-#include "widgets/inspect/predictjudging.h"
 #include "widgets/inspect/predictpanel.h"
 #include "widgets/model/playhead.h"
 #include "widgets/model/scenedocument.h"

@@ -3,7 +3,6 @@
 #include "tests/support/testprogram.h"
 #include "widgets/look/numberformat.h"
 #include "widgets/look/numberlayout.h"
-#include "widgets/look/symboltext.h"
 #include "widgets/look/typesetting.h"
 
 #include <QRegularExpression>

@@ -4,7 +4,6 @@
 #include "widgets/look/appearance.h"
 #include "widgets/look/formulahtml.h"
 #include "widgets/look/labels.h"
-#include "widgets/look/symboltext.h"
 #include "widgets/look/typesetting.h"
 
 #include <QTest>

@@ -4,7 +4,7 @@
 #include "tests/support/testprogram.h"
 #include "tests/support/window/openwindow.h"
 #include "widgets/model/scenedocument.h"
-#include "widgets/space/segmentsliders.h"
+#include "widgets/space/surfacespanel.h"
 
 #include <QTest>
 #include <QtWidgets>

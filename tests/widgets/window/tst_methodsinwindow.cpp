@@ -10,8 +10,8 @@
 #include "widgets/look/messagebar.h"
 #include "widgets/look/typesetting.h"
 #include "widgets/model/columntablemodel.h"
-#include "widgets/model/placinghint.h"
 #include "widgets/model/playhead.h"
+#include "widgets/model/runnotes.h"
 #include "widgets/model/scenedocument.h"
 
 #include <QTest>

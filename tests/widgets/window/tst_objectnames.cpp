@@ -5,7 +5,7 @@
 #include "tests/support/testprogram.h"
 #include "tests/support/window/openwindow.h"
 #include "widgets/canvas/canvas.h"
-#include "widgets/dialogs/keysheet.h"
+#include "widgets/dialogs/manual.h"
 #include "widgets/look/appearance.h"
 #include "widgets/look/displayoptions.h"
 #include "widgets/look/signs.h"
@@ -80,7 +80,8 @@ private slots:
     void everyActionOfTheMenusHasANameOfItsOwn()
     {
         QStringList names;
-        for (const QAction *action : menuActions()) {
+        const auto actions = menuActions();
+        for (const QAction *action : QSet<const QAction *>(actions.begin(), actions.end())) {
             QVERIFY2(!action->objectName().isEmpty(), qPrintable(action->text()));
             names += action->objectName();
         }

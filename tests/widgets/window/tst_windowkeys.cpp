@@ -3,7 +3,7 @@
 #include "tests/support/testprogram.h"
 #include "tests/support/window/openwindow.h"
 #include "widgets/canvas/canvas.h"
-#include "widgets/dialogs/keysheet.h"
+#include "widgets/dialogs/manual.h"
 #include "widgets/look/displayoptions.h"
 #include "widgets/look/menuaction.h"
 #include "widgets/model/playhead.h"
