@@ -76,7 +76,7 @@ FormulaPanel::FormulaPanel(Playhead *playhead, QWidget *parent)
 
     m_heading->setObjectName(u"formulaHeading"_s);
     m_heading->setTextFormat(Qt::RichText);
-    m_heading->setMargin(4);
+    m_heading->setContentsMargins(4, 0, 4, 0);
     m_heading->setAutoFillBackground(true);
     m_heading->setTextInteractionFlags(selectable);
     m_heading->setMinimumWidth(1); // a long heading must not widen the window
@@ -85,17 +85,17 @@ FormulaPanel::FormulaPanel(Playhead *playhead, QWidget *parent)
     m_sentence->setTextFormat(Qt::RichText);
     m_sentence->setWordWrap(true);
     m_sentence->setAlignment(Qt::AlignTop | Qt::AlignLeft);
-    m_sentence->setContentsMargins(4, 0, 4, 4);
+    m_sentence->setContentsMargins(4, 0, 4, 0);
     m_sentence->setTextInteractionFlags(selectable);
 
     named(m_formulas, "formulaText", tr("Formulas"));
     m_formulas->setFrameShape(QFrame::NoFrame);
     m_formulas->setOpenLinks(false);
     m_formulas->setMinimumHeight(fontMetrics().lineSpacing() * leastFormulaLines);
-    m_formulas->document()->setDocumentMargin(4);
+    m_formulas->document()->setDocumentMargin(2);
 
-    auto *layout = withParts(new QVBoxLayout(this), {m_heading, m_sentence, {m_formulas, 1}}, 4);
-    layout->setContentsMargins(8, 4, 0, 0);
+    auto *layout = withParts(new QVBoxLayout(this), {m_heading, m_sentence, {m_formulas, 1}}, 2);
+    layout->setContentsMargins(8, 2, 0, 0);
 
     m_measuring.setSingleShot(true);
     m_measuring.setInterval(0);

@@ -18,10 +18,10 @@ constexpr int spreadHeight = 880;
 constexpr int pairedHeight = 700;
 
 constexpr int leftWidth = 280; ///< of the panels left of the canvas, at least
-constexpr int lineWidth = 460; ///< of the formulas: a line of an edge in exact numbers
+constexpr int lineWidth = 500; ///< of the formulas: a line of an edge in exact numbers
 
 // Percent of the window's height: the columns have three rows at least.
-constexpr int leastColumns = 22;
+constexpr int leastColumns = 20;
 constexpr int mostColumns = 36;
 
 } // namespace
@@ -215,7 +215,7 @@ void FirstArrangement::resizeStep()
 {
     const int width = m_window->width();
     const int height = m_window->height();
-    const int right = std::min(std::max(width * 37 / 100, lineWidth), width * 45 / 100);
+    const int right = std::min(std::max(width * 37 / 100, lineWidth), width / 2 - 8);
     m_window->resizeDocks({m_usual.formula}, {right}, Qt::Horizontal);
     const int columns = std::clamp(m_usual.columns->sizeHint().height(),
                                    height * leastColumns / 100, height * mostColumns / 100);
