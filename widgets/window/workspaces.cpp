@@ -31,6 +31,16 @@ void dropDraggedPanel()
     QCoreApplication::sendEvent(dragged, &release);
 }
 
+/// Qt leaves the tab bars of another arrangement in their places, without tabs: their base line
+/// would go through a panel.
+void clearEmptyTabBars(const QMainWindow &window)
+{
+    for (QTabBar *bar : window.findChildren<QTabBar *>(QString(), Qt::FindDirectChildrenOnly)) {
+        if (bar->count() == 0)
+            bar->setGeometry({}); // it gets another one when it is used again
+    }
+}
+
 } // namespace
 
 Workspaces::Workspaces(QMainWindow *window, FirstArrangement *first, QObject *parent)
@@ -106,6 +116,8 @@ void Workspaces::enter(Workspace workspace)
         focus = m_window->centralWidget();
     focus->setFocus();
     emit changed();
+    QMetaObject::invokeMethod( // panels have their places only after the window's layout
+        this, [this] { clearEmptyTabBars(*m_window); }, Qt::QueuedConnection);
 }
 
 QString titleOf(Workspace workspace)

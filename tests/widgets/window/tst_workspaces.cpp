@@ -102,6 +102,29 @@ private slots:
                  QStringList({"columnsDock", "formulaDock", "pixelGridDock", "pixelHistoryDock"}));
     }
 
+    /// Qt keeps the tab bars of other arrangements, whose base line would go through a panel.
+    void noTabBarOfAnotherWorkspaceIsSeen_data() { addSizes(); }
+    void noTabBarOfAnotherWorkspaceIsSeen()
+    {
+        QFETCH(QSize, size);
+        const auto window = windowOf(size);
+        for (int round = 0; round < 3; ++round) {
+            for (const char *workspace : actions) {
+                goTo(*window, workspace);
+                for (const QTabBar *bar :
+                     window->findChildren<QTabBar *>(QString(), Qt::FindDirectChildrenOnly)) {
+                    for (const QDockWidget *dock : window->findChildren<QDockWidget *>())
+                        QVERIFY2(!bar->isVisible() || !dock->isVisible()
+                                     || dock->visibleRegion().isEmpty()
+                                     || !bar->geometry().intersects(dock->geometry()),
+                                 qPrintable(u"%1: %2 tabs over %3"_s.arg(QLatin1String(workspace))
+                                                .arg(bar->count())
+                                                .arg(dock->objectName())));
+                }
+            }
+        }
+    }
+
     void keysAndTheRowOfButtonsGoToEachOfThem()
     {
         const auto window = openedWindow();
