@@ -1184,8 +1184,8 @@
         <translation>Bild des Dreiecks verschieben</translation>
     </message>
     <message>
-        <source>Expected of the student</source>
-        <translation>So erwartet</translation>
+        <source>Expected picture</source>
+        <translation>Erwartetes Bild</translation>
     </message>
     <message>
         <source>The student&apos;s picture (S); hold Shift for the expected one</source>
@@ -1514,6 +1514,10 @@
         <source>correct</source>
         <translation>richtig</translation>
     </message>
+    <message>
+        <source>correct so far</source>
+        <translation>bisher richtig</translation>
+    </message>
 </context>
 <context>
     <name>pixelplumb::ComparePanel</name>
@@ -1620,7 +1624,7 @@
         <translation>Falsch.</translation>
     </message>
     <message>
-        <source>Undecidable: what differs lies on edges, where rules differ, or within what rounding in float32 may do.</source>
+        <source>Undecidable: what differs lies on an edge, where fill rules differ, or within the rounding error of float32.</source>
         <translation>Unentscheidbar: Was abweicht, liegt auf Kanten, wo Regeln verschieden sind, oder in dem, was Rundung in float32 bewirken darf.</translation>
     </message>
     <message>
@@ -2571,6 +2575,18 @@
         <source>&amp;Leeway</source>
         <translation>S&amp;pielraum</translation>
     </message>
+    <message>
+        <source>A folder with one file or folder for each student</source>
+        <translation>Ein Ordner mit einer Datei oder einem Ordner je Abgabe</translation>
+    </message>
+    <message>
+        <source>A JSON file that names the scenes to be drawn, and the points of each (Help ▸ Manual ▸ Assignments)</source>
+        <translation>Eine JSON-Datei mit den Szenen, die zu zeichnen sind, und ihren Punkten (Hilfe ▸ Handbuch ▸ Aufgaben)</translation>
+    </message>
+    <message>
+        <source>A new folder, or one of an earlier grading, which goes on there</source>
+        <translation>Ein neuer Ordner, oder der einer früheren Bewertung, die dort weitergeht</translation>
+    </message>
 </context>
 <context>
     <name>pixelplumb::GradeReviewPane</name>
@@ -2975,10 +2991,6 @@
         <translation>Über Pixelplumb</translation>
     </message>
     <message>
-        <source>&lt;h3&gt;Pixelplumb %1&lt;/h3&gt;&lt;p&gt;See, step through, measure and grade triangle scan conversion.&lt;/p&gt;&lt;p&gt;Qt %2, %3, %4&lt;/p&gt;&lt;p&gt;Licence: GPL-3.0-or-later. It uses no network and sends nothing.&lt;/p&gt;</source>
-        <translation>&lt;h3&gt;Pixelplumb %1&lt;/h3&gt;&lt;p&gt;Die Rasterung von Dreiecken sehen, Schritt für Schritt durchgehen, messen und bewerten.&lt;/p&gt;&lt;p&gt;Qt %2, %3, %4&lt;/p&gt;&lt;p&gt;Lizenz: GPL-3.0-or-later. Es benutzt kein Netz und sendet nichts.&lt;/p&gt;</translation>
-    </message>
-    <message>
         <source>&amp;Manual</source>
         <translation>&amp;Handbuch</translation>
     </message>
@@ -2989,6 +3001,10 @@
     <message>
         <source>Keys and mouse</source>
         <translation>Tasten und Maus</translation>
+    </message>
+    <message>
+        <source>&lt;h3&gt;Pixelplumb %1&lt;/h3&gt;&lt;p&gt;See, step through, measure and grade triangle scan conversion.&lt;/p&gt;&lt;p&gt;Qt %2, %3, %4&lt;/p&gt;&lt;p&gt;Licence: GPL-3.0-or-later&lt;/p&gt;&lt;p&gt;Pixelplumb uses no network and sends no data.&lt;/p&gt;</source>
+        <translation>&lt;h3&gt;Pixelplumb %1&lt;/h3&gt;&lt;p&gt;Die Rasterung von Dreiecken sehen, Schritt für Schritt durchgehen, messen und bewerten.&lt;/p&gt;&lt;p&gt;Qt %2, %3, %4&lt;/p&gt;&lt;p&gt;Lizenz: GPL-3.0-or-later&lt;/p&gt;&lt;p&gt;Pixelplumb benutzt kein Netz und sendet keine Daten.&lt;/p&gt;</translation>
     </message>
 </context>
 <context>
@@ -3764,11 +3780,11 @@
         <translation>Spaltenrasterung neben float32 (%1 von einer Million falsch): %2.</translation>
     </message>
     <message>
-        <source>Run times fifteen contenders and counts their wrong pixels: %1.</source>
+        <source>Press Run to time fifteen contenders and count their wrong pixels: %1.</source>
         <translation>„Messen“ nimmt die Zeit von fünfzehn Kandidaten und zählt ihre falschen Pixel: %1.</translation>
     </message>
     <message>
-        <source>Run times every method in every arithmetic and counts its wrong pixels: %1.</source>
+        <source>Press Run to time every method in every arithmetic and count its wrong pixels: %1.</source>
         <translation>„Messen“ nimmt die Zeit jedes Verfahrens in jeder Arithmetik und zählt seine falschen Pixel: %1.</translation>
     </message>
 </context>
@@ -3904,8 +3920,8 @@
         <translation>Nicht gespeicherte Szene</translation>
     </message>
     <message>
-        <source>Recovered, it is a scene without a file until it is saved.</source>
-        <translation>Wiederhergestellt ist sie eine Szene ohne Datei, bis sie gespeichert wird.</translation>
+        <source>The recovered scene is unsaved; save it to keep it.</source>
+        <translation>Die wiederhergestellte Szene ist nicht gespeichert; sie bleibt nur, wenn sie gespeichert wird.</translation>
     </message>
     <message>
         <source>&amp;Recover</source>
@@ -4502,6 +4518,14 @@
         <source>This panel shows the finished picture. Predict hides it until the run has come to its end (F5), or Predict is closed.</source>
         <translation>Hier steht das fertige Bild. „Vorhersagen“ verdeckt es, bis der Lauf am Ende ist (F5) oder „Vorhersagen“ geschlossen wird.</translation>
     </message>
+    <message>
+        <source>Finish the run</source>
+        <translation>Bis zum Ende laufen</translation>
+    </message>
+    <message>
+        <source>Goes to the end, where nothing is left to predict</source>
+        <translation>Geht ans Ende, wo nichts mehr vorherzusagen ist</translation>
+    </message>
 </context>
 <context>
     <name>pixelplumb::ParetoPlot</name>
@@ -4625,7 +4649,7 @@
         <translation>Die Messung wurde abgebrochen.</translation>
     </message>
     <message>
-        <source>Measure draws this scene for a second or so.</source>
+        <source>Press Measure to draw this scene again and again for about a second.</source>
         <translation>Messen zeichnet diese Szene etwa eine Sekunde lang.</translation>
     </message>
     <message>
@@ -5324,8 +5348,8 @@
         <translation>Welches Pixel des Bildes wird als nächstes geschrieben? Sein x, y eingeben, es mit der rechten Maustaste wählen oder mit den Pfeiltasten hingehen und „Prüfen“ drücken.</translation>
     </message>
     <message>
-        <source>It has been seen: the step was done already, and the answer does not count.</source>
-        <translation>Schon gesehen: der Schritt war schon getan, und die Antwort zählt nicht.</translation>
+        <source>This step has been shown already, so the answer does not count.</source>
+        <translation>Dieser Schritt war schon zu sehen, darum zählt die Antwort nicht.</translation>
     </message>
     <message>
         <source>Nothing is drawn yet: what you draw is asked for.</source>
@@ -5631,10 +5655,6 @@
         <source>The scene is being drawn.</source>
         <translation>Die Szene wird gezeichnet.</translation>
     </message>
-    <message>
-        <source>This scene has no solids. For a face of a sphere, a plane, a patch, a mesh or a polygon in space, this panel shows how the camera takes it to the frame: from its vertices to the eye&apos;s axes, clip coordinates, the polygon that the near plane leaves, the division by w, pixels and the lattice, each number next to the exact one.</source>
-        <translation>Diese Szene hat keine Körper. Von einer Seitenfläche einer Kugel, einer Ebene, eines Flächenstücks, eines Netzes oder eines Polygons im Raum steht hier, wie die Kamera sie auf die Bildfläche bringt: von ihren Eckpunkten zu den Achsen des Auges, den Clip-Koordinaten, dem Polygon, das die vordere Ebene übrig lässt, der Division durch w, Pixeln und Koordinatengitter, jede Zahl neben der exakten.</translation>
-    </message>
     <message numerus="yes">
         <source>The scene&apos;s solids become %n triangles.</source>
         <translation>
@@ -5649,6 +5669,10 @@
     <message>
         <source>The current triangle is %1 %2 %3 of face %4 of solid %5, %6.</source>
         <translation>Das aktuelle Dreieck ist %1 %2 %3 der Seitenfläche %4 des Körpers %5 (%6).</translation>
+    </message>
+    <message>
+        <source>This scene has no solids. For a face of a sphere, a plane, a patch, a mesh or a polygon in space, this panel shows how the camera takes it to the frame: the eye&apos;s axes, clip coordinates, clipping at the near plane, division by w, and rounding to the lattice, each number beside its exact value.</source>
+        <translation>Diese Szene hat keine Körper. Von einer Seitenfläche einer Kugel, einer Ebene, eines Flächenstücks, eines Netzes oder eines Polygons im Raum steht hier, wie die Kamera sie auf die Bildfläche bringt: Achsen des Auges, Clip-Koordinaten, Abschneiden an der vorderen Ebene, Division durch w und Runden auf das Koordinatengitter, jede Zahl neben ihrem exakten Wert.</translation>
     </message>
 </context>
 <context>
@@ -6129,6 +6153,10 @@
     <message>
         <source>first</source>
         <translation>erster</translation>
+    </message>
+    <message>
+        <source>first: here is the first pixel that differs from the truth</source>
+        <translation>erster: hier ist das erste Pixel, das von der Wahrheit abweicht</translation>
     </message>
 </context>
 <context>
@@ -6753,7 +6781,7 @@
         </translation>
     </message>
     <message numerus="yes">
-        <source>Undecidable: %n pixels on edges, where rules differ, or within what rounding in float32 may do.</source>
+        <source>Undecidable: %n pixels lie on an edge, where fill rules differ, or within the rounding error of float32.</source>
         <translation>
             <numerusform>Unentscheidbar: %n Pixel auf Kanten, wo Regeln verschieden sind, oder in dem, was Rundung in float32 bewirken darf.</numerusform>
             <numerusform>Unentscheidbar: %n Pixel auf Kanten, wo Regeln verschieden sind, oder in dem, was Rundung in float32 bewirken darf.</numerusform>

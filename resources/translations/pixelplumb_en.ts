@@ -269,10 +269,10 @@
         </translation>
     </message>
     <message numerus="yes">
-        <source>Undecidable: %n pixels on edges, where rules differ, or within what rounding in float32 may do.</source>
+        <source>Undecidable: %n pixels lie on an edge, where fill rules differ, or within the rounding error of float32.</source>
         <translation>
-            <numerusform>Undecidable: %n pixel on edges, where rules differ, or within what rounding in float32 may do.</numerusform>
-            <numerusform>Undecidable: %n pixels on edges, where rules differ, or within what rounding in float32 may do.</numerusform>
+            <numerusform>Undecidable: %n pixel lies on an edge, where fill rules differ, or within the rounding error of float32.</numerusform>
+            <numerusform>Undecidable: %n pixels lie on an edge, where fill rules differ, or within the rounding error of float32.</numerusform>
         </translation>
     </message>
 </context>

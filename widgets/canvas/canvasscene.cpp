@@ -183,7 +183,7 @@ private:
             return tr("Still the picture of %1").arg(methodTitle(*traced->method));
         if (m_judged)
             return m_hand.isPeeking
-                ? tr("Expected of the student")
+                ? tr("Expected picture")
                 : tr("The student's picture (S); hold Shift for the expected one");
         if (m_isTruth)
             return tr("Truth: the exact picture");

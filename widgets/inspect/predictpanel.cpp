@@ -95,6 +95,8 @@ void PredictPanel::showEvent(QShowEvent *event)
     m_seen.clear();
     beginSeen();
     listQuestions();
+    if (!event->spontaneous() && m_answer->isEnabled())
+        m_answer->setFocus(); // what is typed next is the answer, and no key of the canvas
 }
 
 void PredictPanel::hideEvent(QHideEvent *event)
@@ -210,8 +212,7 @@ void PredictPanel::ask()
         m_verdict->setText(tr("It is the same along the whole primitive: earlier rows of the table "
                               "show it, and the answer does not count."));
     else if (!example.isEmpty() && hasBeenSeen())
-        m_verdict->setText(tr("It has been seen: the step was done already, and the answer does "
-                              "not count."));
+        m_verdict->setText(tr("This step has been shown already, so the answer does not count."));
     if (!example.isEmpty() && m_left == place())
         return settle(tr("The panel was closed with this question open. %1").arg(answerText()));
     offer(example.isEmpty() ? QList<QWidget *>() : QList<QWidget *>{m_answer, m_check, m_show});

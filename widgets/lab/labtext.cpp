@@ -257,9 +257,9 @@ QString priceText(const Study &study, const QString &family)
 QString invitationText(StudyExtent extent, double seconds)
 {
     const QString invitation = extent == StudyExtent::Quick
-        ? LabText::tr("Run times fifteen contenders and counts their wrong pixels: %1.")
+        ? LabText::tr("Press Run to time fifteen contenders and count their wrong pixels: %1.")
         : LabText::tr(
-            "Run times every method in every arithmetic and counts its wrong pixels: %1.");
+            "Press Run to time every method in every arithmetic and count its wrong pixels: %1.");
     return invitation.arg(coreWord(aboutText(seconds)));
 }
 

@@ -32,6 +32,14 @@ Widget *explained(Widget *widget, const char *name, const QString &inWords)
     return named(widget, name, inWords, inWords);
 }
 
+/// A picture that looks the same in a selected row.
+inline QIcon untinted(const QPixmap &picture)
+{
+    QIcon icon(picture);
+    icon.addPixmap(picture, QIcon::Selected);
+    return icon;
+}
+
 inline QToolButton *namedButton(const char *name, const QString &text, const QString &inWords,
                                 QWidget *parent)
 {

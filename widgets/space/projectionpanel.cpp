@@ -161,9 +161,9 @@ QString ProjectionPanel::sceneSentence() const
     if (m_seen->scene.solids.empty()) {
         return tr(
             "This scene has no solids. For a face of a sphere, a plane, a patch, a mesh or a "
-            "polygon in space, this panel shows how the camera takes it to the frame: from its "
-            "vertices to the eye's axes, clip coordinates, the polygon that the near plane leaves, "
-            "the division by w, pixels and the lattice, each number next to the exact one.");
+            "polygon in space, this panel shows how the camera takes it to the frame: the eye's "
+            "axes, clip coordinates, clipping at the near plane, division by w, and rounding to "
+            "the lattice, each number beside its exact value.");
     }
     const QString triangles
         = tr("The scene's solids become %n triangles.", nullptr, int(m_projected.sources.size()));

@@ -110,7 +110,7 @@ bool Scrubber::event(QEvent *event)
 {
     if (event->type() == QEvent::ToolTip) {
         const auto *help = static_cast<QHelpEvent *>(event);
-        QToolTip::showText(help->globalPos(), hoverText(help->pos().x()), this);
+        QToolTip::showText(help->globalPos(), hoverText(help->pos()), this);
         return true;
     }
     return QAbstractSlider::event(event);
@@ -133,7 +133,7 @@ void Scrubber::mouseMoveEvent(QMouseEvent *event)
     if (isSliderDown())
         seekSoon(scale().positionAt(x));
     if (isSliderDown() || QToolTip::isVisible())
-        QToolTip::showText(event->globalPosition().toPoint(), hoverText(x), this);
+        QToolTip::showText(event->globalPosition().toPoint(), hoverText(event->position()), this);
 }
 
 void Scrubber::mouseReleaseEvent(QMouseEvent *event)
@@ -267,13 +267,15 @@ void Scrubber::seekSoon(std::size_t position)
         m_seekTimer.start(16ms);
 }
 
-QString Scrubber::hoverText(double x) const
+QString Scrubber::hoverText(const QPointF &at) const
 {
     const TracedScene *traced = m_playhead->traced();
     if (!traced)
         return {};
-    const TraceMark *mark = markNear(x);
-    const std::size_t position = mark ? mark->step + 1 : scale().positionAt(x);
+    if (const QString meaning = nameText(at); !meaning.isEmpty())
+        return meaning;
+    const TraceMark *mark = markNear(at.x());
+    const std::size_t position = mark ? mark->step + 1 : scale().positionAt(at.x());
     const bool isAhead = m_playhead->isAheadHidden() && position > m_playhead->position();
     const QString step
         = tr("step %1: %2")

@@ -100,7 +100,8 @@ private:
     void findStops();
     void forgetBackground();
     void seekSoon(std::size_t position);
-    QString hoverText(double x) const;
+    QString hoverText(const QPointF &position) const;
+    QString nameText(const QPointF &position) const; ///< what a lane's name means; none beside it
     void paintBackground();
     void paintPosition(QPainter &painter) const;
     void paintLane(QPainter &painter, int lane, MarkKind kind, const QString &name) const;

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/model/steptext.h"
 #include "widgets/stepping/scrubber.h"
 
-#include <QtWidgets>
+#include <array>
 
 namespace pixelplumb {
 
@@ -99,6 +100,19 @@ void Scrubber::paintBackground()
     paintLane(painter, 2, MarkKind::Clamp, tr("clamps"));
     paintLane(painter, 3, MarkKind::FirstDifference, tr("first"));
     paintTrack(painter);
+}
+
+QString Scrubber::nameText(const QPointF &position) const
+{
+    const auto lane = int((position.y() - margin / 2.0) / laneHeight);
+    if (position.x() >= gutter - margin || lane < 0 || lane >= laneCount)
+        return {};
+    constexpr std::array kinds // from above
+        = {MarkKind::PartBegins, MarkKind::Tie, MarkKind::Clamp, MarkKind::FirstDifference};
+    const MarkKind kind = kinds[std::size_t(lane)];
+    return kind == MarkKind::FirstDifference
+        ? tr("first: here is the first pixel that differs from the truth")
+        : markText(*m_playhead->traced(), {0, kind});
 }
 
 /// The area right of the names.

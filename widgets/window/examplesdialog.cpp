@@ -142,8 +142,8 @@ void ExamplesDialog::showPicture(int row, const QImage &picture, const QString &
 {
     QListWidgetItem *item = m_list->item(row);
     const bool isThere = !picture.isNull();
-    item->setIcon(isThere ? fitted(picture, devicePixelRatioF())
-                          : inPlaceOfPicture(words, *m_list));
+    item->setIcon(untinted(isThere ? fitted(picture, devicePixelRatioF())
+                                   : inPlaceOfPicture(words, *m_list)));
     item->setData(Qt::AccessibleDescriptionRole, isThere ? QString() : words);
 }
 

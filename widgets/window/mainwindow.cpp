@@ -9,6 +9,7 @@
 #include "widgets/files/sceneexports.h"
 #include "widgets/files/scenefiles.h"
 #include "widgets/files/studentpicturefiles.h"
+#include "widgets/inspect/predictpanel.h"
 #include "widgets/inspect/primitivespanel.h"
 #include "widgets/look/colourbutton.h"
 #include "widgets/look/displayoptions.h"
@@ -124,7 +125,10 @@ void MainWindow::makeMenus()
     m_viewMenu = new ViewMenu(m_parts, m_docks, m_palettes, this);
     menuBar()->addMenu(m_viewMenu);
     menuBar()->addMenu(new LayersMenu(m_parts, this));
-    menuBar()->addMenu(new StepMenu(m_parts, this));
+    auto *steps = new StepMenu(m_parts, this);
+    steps->addSeparator();
+    steps->addAction(m_docks->toggleOf<PredictPanel>());
+    menuBar()->addMenu(steps);
     menuBar()->addMenu(new MethodMenu(m_parts, this));
     menuBar()->addMenu(new HelpMenu(menuBar()));
     menuBar()->setCornerWidget(new WorkspaceRow(m_viewMenu->workspaces()));

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/window/paneldock.h"
 
+#include "widgets/look/parts.h"
 #include "widgets/model/playhead.h"
 #include "widgets/window/windowdocks.h"
 
@@ -20,23 +21,31 @@ bool canFloat()
 }
 
 /// Covers a panel that shows the finished picture while Predict asks what lies ahead: the panel can
-/// be neither seen nor reached by keys.
+/// be neither seen nor reached by keys. A button beside it ends the run.
 class PredictVeil : public QLabel {
 public:
-    PredictVeil(const Playhead *playhead, QWidget *panel)
+    PredictVeil(Playhead *playhead, QWidget *panel)
         : QLabel(PanelDock::tr("This panel shows the finished picture. Predict hides it until the "
                                "run has come to its end (F5), or Predict is closed."),
                  panel)
         , m_playhead(playhead)
         , m_panel(panel)
+        , m_finish(pushButton("predictFinish", PanelDock::tr("Finish the run"),
+                              PanelDock::tr("Goes to the end, where nothing is left to predict"),
+                              panel->parentWidget()))
     {
         setObjectName(u"predictVeil"_s);
+        QPalette readable = palette(); // though the panel is disabled
+        readable.setBrush(QPalette::Disabled, QPalette::WindowText, readable.windowText());
+        setPalette(readable);
         setAlignment(Qt::AlignCenter);
         setWordWrap(true);
         setMargin(16);
         setAutoFillBackground(true);
         panel->installEventFilter(this);
         connect(playhead, &Playhead::aheadHiddenChanged, this, &PredictVeil::follow);
+        connect(m_finish, &QPushButton::clicked, playhead,
+                [playhead] { playhead->seek(playhead->end()); });
         follow();
     }
 
@@ -44,10 +53,9 @@ protected:
     /// Keeps the veil on top: new children are placed above it.
     bool eventFilter(QObject *watched, QEvent *event) override
     {
-        if (event->type() == QEvent::Resize || event->type() == QEvent::ChildAdded) {
-            setGeometry(m_panel->rect());
-            raise();
-        }
+        if (event->type() == QEvent::Resize || event->type() == QEvent::Move
+            || event->type() == QEvent::ChildAdded)
+            cover();
         return QLabel::eventFilter(watched, event);
     }
 
@@ -55,13 +63,24 @@ private:
     void follow()
     {
         m_panel->setEnabled(!m_playhead->isAheadHidden());
-        setGeometry(m_panel->rect());
         setVisible(m_playhead->isAheadHidden());
-        raise();
+        m_finish->setVisible(m_playhead->isAheadHidden());
+        cover();
     }
 
-    const Playhead *m_playhead;
+    void cover()
+    {
+        setGeometry(m_panel->rect());
+        raise();
+        const int below = 2 * fontMetrics().lineSpacing(); // the words, which may be two lines
+        m_finish->adjustSize();
+        m_finish->move(m_panel->geometry().center() + QPoint(-m_finish->width() / 2, below));
+        m_finish->raise();
+    }
+
+    Playhead *m_playhead;
     QWidget *m_panel;
+    QPushButton *m_finish;
 };
 
 } // namespace

@@ -32,6 +32,11 @@ public:
         }
         Q_UNREACHABLE();
     }
+    template <class Widget>
+    QAction *toggleOf() const
+    {
+        return m_toggles[m_docks.indexOf(dockOf<Widget>())];
+    }
     /// The panel, which is built now if nobody has seen it yet.
     template <class Widget>
     Widget *panel() const

@@ -60,9 +60,20 @@ private slots:
     void aMenusEntryLeavesTheFocusWhereItIs()
     {
         m_window->parts().canvas->setFocus();
-        action(*m_window, "predictDockToggle")->trigger();
-        QTRY_VERIFY(named<PredictPanel>(*m_window, "predict")->isVisible());
+        action(*m_window, "methodDockToggle")->trigger();
+        QTRY_VERIFY(named<QDockWidget>(*m_window, "methodDock")->isVisible());
         QVERIFY(m_window->parts().canvas->hasFocus());
+    }
+
+    /// On the canvas a digit would choose a method, and Space would play.
+    void predictIsInTheMenuOfStepsAndAsksAtOnce()
+    {
+        m_window->parts().canvas->setFocus();
+        QAction *toggle = action(*m_window, "predictDockToggle");
+        QVERIFY(named<QMenu>(*m_window, "stepMenu")->actions().contains(toggle));
+        toggle->trigger();
+        QTRY_COMPARE(QApplication::focusWidget(),
+                     static_cast<QWidget *>(named<QLineEdit>(*m_window, "predictAnswer")));
     }
 
     void whatIsTypedAfterTheKeyIsTheAnswer()

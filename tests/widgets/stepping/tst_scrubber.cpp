@@ -65,6 +65,21 @@ private slots:
         QCOMPARE(scale.positionAt(5000), std::size_t(end));
     }
 
+    void theNamesOfTheLanesAreExplained()
+    {
+        Stage stage;
+        const auto told = [&](const QPoint &at) {
+            QHelpEvent help(QEvent::ToolTip, at, stage.scrubber.mapToGlobal(at));
+            QCoreApplication::sendEvent(&stage.scrubber, &help);
+            return QToolTip::text();
+        };
+        const char *meanings[] = {"corner", "exactly on an edge", "0 … 255", "differs"};
+        for (int lane = 0; lane < 4; ++lane)
+            QVERIFY2(told({40, 9 + 11 * lane}).contains(QString::fromUtf8(meanings[lane])),
+                     qPrintable(told({40, 9 + 11 * lane})));
+        QVERIFY2(told({40, 9 + 11 * 4}).startsWith(u"step 0"_s), qPrintable(QToolTip::text()));
+    }
+
     void columnsThatAreSeenStandOnThemselves()
     {
         const std::array<ColumnStop, 3> stops = {{{2, 110}, {7, 120}, {30, 130}}};

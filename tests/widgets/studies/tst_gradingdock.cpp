@@ -41,6 +41,9 @@ private slots:
             named<QLineEdit>(*dialog, "gradeResults")->setText(classroom.results());
             auto *leeway = named<QComboBox>(*dialog, "gradeLeeway");
             leeway->setCurrentIndex(leeway->findText("edges"));
+            QVERIFY(leeway->toolTip().contains("every sample on an edge"));
+            for (const auto *field : dialog->findChildren<QLineEdit *>())
+                QVERIFY2(!field->toolTip().isEmpty(), qPrintable(field->objectName()));
             QTest::keyClick(dialog, Qt::Key_Return);
         });
 

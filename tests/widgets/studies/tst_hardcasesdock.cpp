@@ -74,6 +74,18 @@ private slots:
                  qPrintable(words));
     }
 
+    void theChosenCasesPictureKeepsItsColours()
+    {
+        open();
+        QVERIFY(m_panel->choose(u"tie_tenths"_s));
+        const auto picture = [this](QIcon::Mode mode) {
+            const auto *tree = named<QTreeWidget>(*m_window, "hardCasesTree");
+            return tree->currentItem()->icon(0).pixmap(tree->iconSize(), mode).toImage();
+        };
+        QTRY_VERIFY_WITH_TIMEOUT(!picture(QIcon::Normal).isNull(), 20000);
+        QCOMPARE(picture(QIcon::Selected), picture(QIcon::Normal));
+    }
+
     void opensACaseAtTheFirstPixelThatDiffers()
     {
         setArithmetic(Arithmetic::Float32);

@@ -496,6 +496,8 @@ private slots:
         nameTheBug(*window);
         choose(*window, "colours-120");
         QVERIFY(text(*window, "diagnosisSentence").contains("First wrong number: step "));
+        static const QRegularExpression place(u"step \\d+, [a-z]"_s);
+        QVERIFY(text(*window, "diagnosisSentence").contains(place));
 
         QTest::mouseClick(named<QPushButton>(*window, "diagnosisOpen"), Qt::LeftButton);
 

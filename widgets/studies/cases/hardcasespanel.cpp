@@ -189,7 +189,7 @@ void HardCasesPanel::drawNext()
 void HardCasesPanel::takePicture(std::size_t index, const HardCasePicture &picture)
 {
     QTreeWidgetItem *item = m_items[index];
-    item->setIcon(0, sideBySide(picture, thumbSize, palette(), devicePixelRatioF()));
+    item->setIcon(0, untinted(sideBySide(picture, thumbSize, palette(), devicePixelRatioF())));
     item->setText(1, m_cases[index].hardCase.id + u'\n' + picture.verdict());
     item->setForeground(1,
                         picture.isRight() ? palette().color(QPalette::Text)

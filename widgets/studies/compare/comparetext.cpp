@@ -73,9 +73,11 @@ QString shortResultText(const ContenderRun &run, const ContenderTally &tally)
     count(Difference::Missing, ComparePane::tr("%1 missing"));
     count(Difference::Extra, ComparePane::tr("%1 extra"));
     count(Difference::Colour, ComparePane::tr("%1 wrong colour"));
+    const bool isFinished = tally == run.tally;
+    if (wrong.isEmpty())
+        wrong += isFinished ? ComparePane::tr("correct") : ComparePane::tr("correct so far");
     return ComparePane::tr("%1: %2").arg(
-        tally == run.tally ? pixels : u"%1/%2"_s.arg(tally.written).arg(pixels),
-        wrong.isEmpty() ? ComparePane::tr("correct") : wrong.join(u", "_s));
+        isFinished ? pixels : u"%1/%2"_s.arg(tally.written).arg(pixels), wrong.join(u", "_s));
 }
 
 QString carriedText(const Contest &contest)

@@ -194,8 +194,9 @@ void PerformancePanel::forget()
     m_job.cancel();
     m_timing.reset();
     present();
-    tell(m_playhead->traced() ? tr("Measure draws this scene for a second or so.")
-                              : tr("The scene is being drawn."));
+    tell(m_playhead->traced()
+             ? tr("Press Measure to draw this scene again and again for about a second.")
+             : tr("The scene is being drawn."));
 }
 
 void PerformancePanel::take(std::optional<SceneTiming> timing)

@@ -202,7 +202,7 @@ void DiagnosisView::showChosen()
             text += (text.isEmpty() ? QString() : u"\n"_s)
                 + tr("First wrong number: step %1, %2: %3.")
                       .arg(step->step + 1)
-                      .arg(step->heading, step->text);
+                      .arg(step->heading.left(1).toLower() + step->heading.sliced(1), step->text);
     }
     m_sentence->setText(text);
     m_sentence->setVisible(!text.isEmpty());
@@ -241,8 +241,8 @@ QString diagnosisText(const Diagnosis &diagnosis)
     const QString verdict = diagnosis.verdict == DiagnosisVerdict::Wrong
         ? DiagnosisView::tr("Wrong.")
         : DiagnosisView::tr(
-            "Undecidable: what differs lies on edges, where rules differ, or within what "
-            "rounding in float32 may do.");
+            "Undecidable: what differs lies on an edge, where fill rules differ, or within the "
+            "rounding error of float32.");
     if (diagnosis.failure)
         return verdict + u' '
             + DiagnosisView::tr("The search for defects ended in an error: %1.")

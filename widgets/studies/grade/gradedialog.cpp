@@ -16,9 +16,13 @@ GradeDialog::GradeDialog(QWidget *parent)
     auto *layout = withParts(new QVBoxLayout(this), {}, 16, 16);
     auto *form = new QFormLayout;
     form->setFieldGrowthPolicy(QFormLayout::ExpandingFieldsGrow);
-    m_submissions = addPath(form, "gradeSubmissions", tr("&Submissions folder"));
-    m_assignment = addPath(form, "gradeAssignment", tr("&Assignment file"));
-    m_results = addPath(form, "gradeResults", tr("&Results folder"));
+    m_submissions = addPath(form, "gradeSubmissions", tr("&Submissions folder"),
+                            tr("A folder with one file or folder for each student"));
+    m_assignment = addPath(form, "gradeAssignment", tr("&Assignment file"),
+                           tr("A JSON file that names the scenes to be drawn, and the points of "
+                              "each (Help ▸ Manual ▸ Assignments)"));
+    m_results = addPath(form, "gradeResults", tr("&Results folder"),
+                        tr("A new folder, or one of an earlier grading, which goes on there"));
     m_leeway = new LeewayBox("gradeLeeway", this);
     m_leeway->offerNone(tr("as the assignment says"));
     form->addRow(tr("&Leeway"), m_leeway);
@@ -32,10 +36,10 @@ GradeDialog::GradeDialog(QWidget *parent)
     resize(560, sizeHint().height());
 }
 
-QLineEdit *GradeDialog::addPath(QFormLayout *form, const char *name, const QString &label)
+QLineEdit *GradeDialog::addPath(QFormLayout *form, const char *name, const QString &label,
+                                const QString &inWords)
 {
-    auto *edit = new QLineEdit(this);
-    edit->setObjectName(QLatin1String(name));
+    auto *edit = named(new QLineEdit(this), name, {}, inWords);
     auto *browse = new QPushButton(tr("Choose…"), this);
     browse->setAccessibleName(tr("Choose: %1").arg(QString(label).remove(u'&')));
     browse->setAutoDefault(false);

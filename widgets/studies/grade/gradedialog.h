@@ -27,7 +27,8 @@ public:
     void setPaths(const QString &submissions, const QString &assignment, const QString &results);
 
 private:
-    QLineEdit *addPath(QFormLayout *form, const char *name, const QString &label);
+    QLineEdit *addPath(QFormLayout *form, const char *name, const QString &label,
+                       const QString &inWords);
     void updateOk();
 
     QLineEdit *m_submissions = nullptr;

@@ -3,8 +3,6 @@
 
 #include "widgets/look/parts.h"
 
-#include <QSignalBlocker>
-
 namespace pixelplumb {
 
 LeewayBox::LeewayBox(const char *name, QWidget *parent)
@@ -15,6 +13,9 @@ LeewayBox::LeewayBox(const char *name, QWidget *parent)
         addItem(text, int(leeway));
         setItemData(count() - 1, inWords, Qt::ToolTipRole);
     };
+    connect(this, &QComboBox::currentIndexChanged, this, [this] {
+        setToolTip(accessibleName() + u"\n"_s + currentData(Qt::ToolTipRole).toString());
+    });
     add(Leeway::Strict, tr("strict"), tr("None: the fill rule decides all, nothing is rounded"));
     add(Leeway::Rule, tr("rule"),
         tr("What rounding may decide; anything else on an edge is the fill rule's"));
@@ -39,10 +40,6 @@ std::optional<Leeway> LeewayBox::leeway() const
     return data.isValid() ? std::optional(Leeway(data.toInt())) : std::nullopt;
 }
 
-void LeewayBox::setLeeway(Leeway leeway)
-{
-    const QSignalBlocker blocker(this);
-    setCurrentIndex(findData(int(leeway)));
-}
+void LeewayBox::setLeeway(Leeway leeway) { setCurrentIndex(findData(int(leeway))); }
 
 } // namespace pixelplumb

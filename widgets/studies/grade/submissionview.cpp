@@ -53,8 +53,8 @@ QString verdictText(const PictureDiff &diff)
         return SubmissionPanel::tr("Wrong: %n pixels differ.", nullptr, int(diff.differing()));
     if (open > 0)
         return SubmissionPanel::tr(
-            "Undecidable: %n pixels on edges, where rules differ, or within what "
-            "rounding in float32 may do.",
+            "Undecidable: %n pixels lie on an edge, where fill rules differ, or within the "
+            "rounding error of float32.",
             nullptr, int(open));
     return SubmissionPanel::tr("Right: no pixel differs.");
 }
