@@ -2,7 +2,6 @@
 #include "core/check/effectcase.h"
 
 #include "core/check/casefacts.h"
-#include "core/scene/fields/attributereader.h"
 #include "core/scene/fields/partreader.h"
 
 namespace pixelplumb {
@@ -31,14 +30,14 @@ public:
 
     void read(const JsonNode &node)
     {
-        ReferredFiles files{{}};
-        m_case.appearance = readAppearance(m_json, m_numbers, files, node);
+        readAppearance(m_json, m_current, node);
+        m_case.appearance = m_current.reading.scene.appearance;
         for (const JsonNode &triangle : m_json.array(member(node, "triangles"))) {
             if (m_json.hasFailed())
                 break;
             readTriangle(triangle);
         }
-        for (const SnapReport &snap : m_snaps)
+        for (const SnapReport &snap : m_current.reading.snaps)
             m_case.displacements.append(snap.message());
     }
 
@@ -48,8 +47,7 @@ private:
     void readTriangle(const JsonNode &node)
     {
         Triangle triangle;
-        TriangleAttributes attributes
-            = readAttributes(m_json, m_numbers, node, m_case.appearance.materials);
+        TriangleAttributes attributes = readAttributes(m_json, m_current, node);
         attributes.triangle = m_case.triangles.size();
         const std::vector<JsonNode> corners = m_json.array(member(node, "vertices"), 3);
         const JsonNode colours = member(node, "colours");
@@ -72,8 +70,7 @@ private:
     JsonReader &m_json;
     CaseCoordinates &m_coordinates;
     HardCase &m_case;
-    SnapReports m_snaps;
-    NumberReader m_numbers{m_json, m_snaps};
+    CurrentScene m_current{{}, ReferredFiles{{}}};
 };
 
 } // namespace

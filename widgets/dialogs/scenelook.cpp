@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/dialogs/scenelook.h"
 
-#include "core/scene/fields/partwriter.h"
-#include "core/scene/fields/primitivewriter.h"
+#include "core/scene/fields/fieldtexts.h"
+#include "core/scene/fields/formfields.h"
 #include "core/scene/scenefile.h"
 
 #include <QRegularExpression>

@@ -3,6 +3,7 @@
 
 #include <charconv>
 #include <cmath>
+#include <limits>
 
 namespace pixelplumb {
 
@@ -64,53 +65,11 @@ double NumberReader::real(const JsonNode &node)
     return value ? *value : 0;
 }
 
-Vector3 NumberReader::vector(const JsonNode &node)
-{
-    const std::vector<JsonNode> numbers = m_json.array(node, 3);
-    return {real(numbers[0]), real(numbers[1]), real(numbers[2])};
-}
-
-double NumberReader::positive(const JsonNode &node, const QString &what)
-{
-    const double value = real(node);
-    if (value <= 0)
-        m_json.fail(node, u"%1 of %2"_s.arg(what, describe(node)), "more than 0");
-    return value;
-}
-
-Lattice NumberReader::length(const JsonNode &node, const QString &what)
-{
-    const Lattice units = coordinate(node);
-    if (units <= 0)
-        m_json.fail(node, u"%1 of %2 px"_s.arg(what, coordinateText(units)),
-                    u"1/%1 px or more"_s.arg(unitsPerPixel));
-    return units;
-}
-
 LatticePoint NumberReader::position(const JsonNode &node)
 {
     const std::vector<JsonNode> coordinates = m_json.array(node, 2);
     const Lattice x = coordinate(coordinates[0]);
     return {x, coordinate(coordinates[1])};
-}
-
-std::vector<LatticePoint> NumberReader::positions(const JsonNode &node, PointCount count)
-{
-    const std::vector<JsonNode> points = m_json.array(node);
-    if (points.size() < count.least || points.size() > count.most) {
-        const QString range = count.most == PointCount::any
-            ? u"%1 points or more"_s.arg(count.least)
-            : u"%1 points"_s.arg(count.least)
-                + (count.most > count.least ? u" or %1"_s.arg(count.most) : QString());
-        m_json.fail(node, describe(node), u"an array of "_s + range);
-    }
-    std::vector<LatticePoint> positions;
-    for (const JsonNode &point : points) {
-        if (m_json.hasFailed())
-            break;
-        positions.push_back(position(point));
-    }
-    return positions;
 }
 
 } // namespace pixelplumb

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/scene/fields/partreader.h"
 
-#include "core/scene/fields/scenefields.h"
+#include "core/scene/fields/listreader.h"
 #include "core/scene/text/choicereader.h"
-#include "core/scene/text/colourreader.h"
 #include "core/space/spacevector.h"
 
 #include <cmath>
@@ -15,56 +14,14 @@ namespace {
 /// Directions count as parallel when the sine of their angle is smaller.
 constexpr double smallestSine = 1e-9;
 
-template <class Value>
-constexpr bool isRequired = false;
-template <class Value>
-constexpr bool isRequired<Required<Value>> = true;
-
-/// Reads parts by their lists of fields; a field that is missing keeps its value.
-class PartReader {
+class SurroundingsReader : public ListReader<SurroundingsReader> {
 public:
-    PartReader(JsonReader &json, NumberReader &numbers, ReferredFiles &files)
-        : m_json(json)
-        , m_numbers(numbers)
-        , m_files(files)
+    SurroundingsReader(JsonReader &json, CurrentScene &current)
+        : ListReader(json, current)
     {
     }
 
-    template <class Part>
-    void readFields(const JsonNode &node, Part &part)
-    {
-        eachField(part, [&](const char *name, auto &&value) { readField(node[name], value); });
-    }
-
-private:
-    template <class Value>
-    void readField(const JsonNode &node, Value &value)
-    {
-        if ((isRequired<Value> || !node.isMissing()) && !m_json.hasFailed())
-            read(node, value);
-    }
-    template <class Part>
-    void readObject(const JsonNode &node, Part &part)
-    {
-        m_json.expectObject(node, fieldNames(part));
-        readFields(node, part);
-    }
-
-    template <class Value>
-    void read(const JsonNode &node, const Required<Value> &field)
-    {
-        read(node, field.value);
-    }
-    template <class Value>
-    void read(const JsonNode &node, std::optional<Value> &value)
-    {
-        read(node, value.emplace());
-    }
-    template <class Number>
-    void read(const JsonNode &node, const NumberWithin<Number> &field)
-    {
-        field.number = Number(m_json.integer(node, field.first, field.last));
-    }
+    using ListReader::read;
     void read(const JsonNode &node, const NumberBetween<double> &field)
     {
         field.number = m_numbers.real(node);
@@ -85,7 +42,6 @@ private:
         read(pixel[0], NumberWithin{field.frame.firstColumn, -largestPixel, largestPixel});
         read(pixel[1], NumberWithin{field.frame.firstRow, -largestPixel, largestPixel});
     }
-    void read(const JsonNode &node, std::string &text) { text = m_json.string(node).toStdString(); }
     void read(const JsonNode &node, VariantSet &variants)
     {
         for (const JsonNode &each : m_json.array(node)) {
@@ -94,10 +50,6 @@ private:
             variants = variants.with(variant);
         }
     }
-    void read(const JsonNode &node, Colour &colour) { colour = readColour(m_json, node); }
-    void read(const JsonNode &node, LatticePoint &point) { point = m_numbers.position(node); }
-    void read(const JsonNode &node, Vector3 &vector) { vector = m_numbers.vector(node); }
-
     void read(const JsonNode &node, FrameSpec &frame)
     {
         readObject(node, frame);
@@ -144,17 +96,6 @@ private:
                         "a direction across it");
     }
 
-    void read(const JsonNode &node, std::shared_ptr<const Texture> &texture)
-    {
-        const QString name = m_json.string(node);
-        if (m_json.hasFailed())
-            return;
-        if (const auto read = m_files.texture(name))
-            texture = *read;
-        else
-            m_json.fail(node, u"%1: %2"_s.arg(read.error().place, read.error().found),
-                        read.error().expected);
-    }
     void read(const JsonNode &node, std::vector<Material> &materials)
     {
         if (!node.isObject())
@@ -191,32 +132,21 @@ private:
             m_json.fail(node["direction"], "a direction of length 0",
                         u"a component of ±1/%1 or more"_s.arg(attributeOne));
     }
-    void read(const JsonNode &node, std::array<Attribute, 3> &at)
-    {
-        at = m_numbers.attributes<3>(node);
-    }
-
-    JsonReader &m_json;
-    NumberReader &m_numbers;
-    ReferredFiles &m_files;
 };
 
 } // namespace
 
-Appearance readAppearance(JsonReader &json, NumberReader &numbers, ReferredFiles &files,
-                          const JsonNode &root)
+void readAppearance(JsonReader &json, CurrentScene &current, const JsonNode &root)
 {
-    Appearance appearance;
-    PartReader(json, numbers, files).readFields(root, appearance);
-    return appearance;
+    SurroundingsReader(json, current).readFields(root, current.reading.scene.appearance);
 }
 
 QStringList surroundingKeys() { return fieldNames<Scene>() + fieldNames<Appearance>(); }
 
-void readSurroundings(JsonReader &json, NumberReader &numbers, ReferredFiles &files, Scene &scene)
+void readSurroundings(JsonReader &json, CurrentScene &current)
 {
-    PartReader(json, numbers, files).readFields(json.root(), scene);
-    scene.appearance = readAppearance(json, numbers, files, json.root());
+    SurroundingsReader(json, current).readFields(json.root(), current.reading.scene);
+    readAppearance(json, current, json.root());
 }
 
 } // namespace pixelplumb

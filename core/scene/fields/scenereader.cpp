@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/methods/method.h"
 #include "core/scene/fields/partreader.h"
-#include "core/scene/fields/primitivereader.h"
 #include "core/scene/files/fileaccess.h"
 #include "core/scene/files/filepath.h"
 #include "core/scene/text/choicereader.h"
@@ -37,8 +36,7 @@ public:
         readFormat(root);
         m_json.expectObject(
             root, QStringList{"pixelplumb"} + surroundingKeys() + QStringList{primitivesKey});
-        NumberReader numbers(m_json, m_current.reading.snaps);
-        readSurroundings(m_json, numbers, m_current.files, m_current.reading.scene);
+        readSurroundings(m_json, m_current);
         readPrimitives(root[primitivesKey]);
         chooseMethod(root);
         return std::move(m_current.reading);
@@ -81,7 +79,7 @@ private:
             if (m_json.hasFailed())
                 return false;
             JsonReader json(m_json, primitive, elementPath(path, index++));
-            PrimitiveReader(json, m_current).read(json.root());
+            readPrimitive(json, m_current, json.root());
             if (json.hasFailed())
                 m_json.fail(json.error());
             return !json.hasFailed();

@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/scene/fields/partwriter.h"
-#include "core/scene/fields/primitivewriter.h"
-#include "core/scene/fields/solidwriter.h"
+#include "core/scene/fields/fieldtexts.h"
 #include "core/scene/fileorder.h"
 #include "core/scene/files/fileaccess.h"
 #include "core/scene/files/filepath.h"
@@ -16,25 +14,30 @@ namespace pixelplumb {
 
 QByteArray writeScene(const Scene &scene, const QString &folder)
 {
+    const FieldTexts texts(folder, scene.appearance.materials);
+    const QByteArrayList surroundings
+        = texts.of(scene) + texts.ofOthersThanDefaults(scene.appearance);
     QByteArray text = "{\n    \"pixelplumb\": " + QByteArray::number(sceneFormat) + ",\n    "
-        + surroundingsText(scene, folder) + ",\n    \"primitives\": [";
+        + surroundings.join(",\n    ") + ",\n    \"primitives\": [";
     const char *separator = "\n        ";
-    const auto append = [&](const QByteArray &primitive) {
-        text += separator + primitive;
+    const auto append = [&](const QByteArrayList &fields) {
+        text += separator + FieldTexts::inBraces(fields);
         separator = ",\n        ";
     };
+    const QByteArrayList isHidden = {"\"hidden\": true"};
     const auto appendHidden = [&](std::size_t index) {
-        append(primitiveText(scene.hidden[index], scene.appearance.materials));
+        std::visit([&](const auto &hidden) { append(texts.of(hidden) + isHidden); },
+                   scene.hidden[index].primitive);
     };
     const auto appendTriangle = [&](std::size_t index, const TriangleAttributes *attributes) {
-        append(primitiveText(scene.triangles[index], attributes, scene.appearance.materials));
+        append(texts.of(HiddenTriangle{scene.triangles[index],
+                                       attributes ? *attributes : TriangleAttributes()}));
     };
     visitTriangles(scene, appendTriangle, appendHidden);
     for (const Solid &solid : scene.solids)
-        append(primitiveText(solid, scene.appearance.materials, folder));
+        append(texts.of(solid) + (solid.isHidden ? isHidden : QByteArrayList()));
     visitShapes(
-        scene, [&](std::size_t index) { append(primitiveText(scene.shapes[index])); },
-        appendHidden);
+        scene, [&](std::size_t index) { append(texts.of(scene.shapes[index])); }, appendHidden);
     return text + (text.endsWith('[') ? "]\n}\n" : "\n    ]\n}\n");
 }
 

@@ -3,16 +3,11 @@
 
 #include "core/scene/scene.h"
 
-#include <QByteArray>
 #include <QStringList>
 
 #include <vector>
 
 namespace pixelplumb {
-
-/// What a scene in the folder says before its primitives, a line a field; those of its appearance
-/// without defaults. readSurroundings() reads them back.
-QByteArray surroundingsText(const Scene &scene, const QString &folder);
 
 /// A field of a scene file as a form shows it: texts without their quotation marks.
 struct FieldText {
