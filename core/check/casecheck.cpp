@@ -9,7 +9,7 @@
 #include "core/check/shapecase.h"
 #include "core/check/trianglecase.h"
 #include "core/methods/method.h"
-#include "core/shade/strokestrip.h"
+#include "core/shade/strokes/strokestrip.h"
 
 #include <algorithm>
 

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/layers/affinemap.h"
-#include "core/layers/affinewords.h"
 #include "core/layers/layers.h"
 
 #include <algorithm>

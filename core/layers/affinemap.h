@@ -4,6 +4,9 @@
 #include "core/layers/layermoment.h"
 #include "core/number/wideinteger.h"
 
+#include <QString>
+#include <QStringList>
+
 #include <array>
 
 /// Affine maps of the plane, in exact numbers: what they do to a triangle, and what they preserve.
@@ -48,5 +51,17 @@ Corners defaultImages(const Corners &corners, const FrameSpec &frame);
 /// For the viewed triangle of the run, in the user's order of its corners: the images that the view
 /// asks for, else the default ones.
 Corners imagesOf(const LayerView &view, std::size_t triangle);
+
+// What is said of them: exact fractions or, if one in a sentence is long, the whole sentence
+// rounded and marked by ≈.
+
+/// "(27/2, 9)", px.
+QString pointText(const RationalPoint &point);
+/// The two rows of a map, which form one sentence.
+QStringList rowsText(const AffineMap &map);
+QString weightsText(const PointAreas &areas);
+QString areasText(const PointAreas &areas);
+/// The factor by which the map scales areas, and whether it mirrors.
+QString areasChangeText(const AffineMap &map);
 
 } // namespace pixelplumb

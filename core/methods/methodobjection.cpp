@@ -3,7 +3,7 @@
 #include "core/methods/objectiontext.h"
 #include "core/plan/requirements.h"
 #include "core/scan/choicenames.h"
-#include "core/shade/strokestrip.h"
+#include "core/shade/strokes/strokestrip.h"
 
 #include <algorithm>
 

@@ -7,8 +7,8 @@
 
 #include <vector>
 
-/// The outline of a stroke (defined in core/shade/strokestrip.h), in numbers of any size: half
-/// widths by bisection, circles as fractions, Bézier points by de Casteljau's algorithm.
+/// The outline of a stroke (defined in core/shade/strokes/strokestrip.h), in numbers of any size:
+/// half widths by bisection, circles as fractions, Bézier points by de Casteljau's algorithm.
 namespace pixelplumb::oracle {
 
 /// A pixel in outline units of 2^-16 px, half of its side, and the lattice unit.

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/plan/effectreason.h"
-#include "core/shade/strokestrip.h"
+#include "core/shade/strokes/strokestrip.h"
 
 #include <algorithm>
 

@@ -3,8 +3,8 @@
 
 #include "core/plan/drawnplane.h"
 #include "core/shade/edgepixels.h"
-#include "core/shade/strokearea.h"
-#include "core/shade/strokestrip.h"
+#include "core/shade/strokes/strokearea.h"
+#include "core/shade/strokes/strokestrip.h"
 
 #include <algorithm>
 

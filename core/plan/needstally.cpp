@@ -4,7 +4,7 @@
 #include "core/plan/bordercrossing.h"
 #include "core/plan/requirements.h"
 #include "core/shade/linecolours.h"
-#include "core/shade/strokestrip.h"
+#include "core/shade/strokes/strokestrip.h"
 
 #include <algorithm>
 

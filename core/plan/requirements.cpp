@@ -4,7 +4,7 @@
 #include "core/plan/bordercrossing.h"
 #include "core/plan/effectreason.h"
 #include "core/plan/framereach.h"
-#include "core/shade/strokestrip.h"
+#include "core/shade/strokes/strokestrip.h"
 
 #include <algorithm>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/shade/strokescan.h"
+#include "core/shade/strokes/strokescan.h"
 #include "core/trace/numberrow.h"
 #include "core/trace/stepwords.h"
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/geometry/seededrandom.h"
 #include "core/oracle/truepicture.h"
-#include "core/shade/strokestrip.h"
+#include "core/shade/strokes/strokestrip.h"
 #include "tests/support/sanitized.h"
 #include "tests/support/scenes/shapes.h"
 #include "tests/support/testprogram.h"

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "core/number/quantity.h"
-#include "core/shade/strokepixels.h"
+#include "core/shade/strokes/strokepixels.h"
 
 #include <span>
 

@@ -5,8 +5,8 @@
 #include "core/shade/edgepixels.h"
 #include "core/shade/scratchframe.h"
 #include "core/shade/shadedsample.h"
-#include "core/shade/strokearea.h"
-#include "core/shade/strokecolour.h"
+#include "core/shade/strokes/strokearea.h"
+#include "core/shade/strokes/strokecolour.h"
 
 #include <span>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/shade/strokestrip.h"
+#include "core/shade/strokes/strokestrip.h"
 
 #include <span>
 

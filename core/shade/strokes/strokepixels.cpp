@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/shade/strokepixels.h"
+#include "core/shade/strokes/strokepixels.h"
 
 #include <algorithm>
 #include <limits>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/shade/strokearea.h"
+#include "core/shade/strokes/strokearea.h"
 
 #include "core/number/widequantity.h"
 #include "core/shade/squareclip.h"
