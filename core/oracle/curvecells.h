@@ -13,12 +13,11 @@ namespace pixelplumb::oracle {
 
 /// One coordinate of a Bézier curve's control points. Each halving of a curve of degree n makes the
 /// unit 2^n times smaller, so that nothing is ever rounded.
-class CurveControls {
+template <class Integer>
+class CurveControlsOf {
 public:
-    using Integer = boost::multiprecision::cpp_int;
-
-    /// Three or four control points, in units.
-    CurveControls(std::array<Integer, 4> points, std::size_t count)
+    /// Two to four control points, in units.
+    CurveControlsOf(std::array<Integer, 4> points, std::size_t count)
         : m_points(std::move(points))
         , m_count(count)
     {
@@ -35,7 +34,7 @@ public:
             || std::is_sorted(m_points.begin(), end(), std::greater<>());
     }
     /// Whether both coordinates change by equal amounts, in the same or in opposite directions.
-    bool runsAlike(const CurveControls &other) const
+    bool runsAlike(const CurveControlsOf &other) const
     {
         const auto agrees = [&](int sign) {
             for (std::size_t i = 1; i < m_count; ++i) {
@@ -49,27 +48,24 @@ public:
     }
 
     /// De Casteljau's repeated averages, kept as sums.
-    CurveControls leftHalf() const
+    CurveControlsOf leftHalf() const
     {
-        CurveControls half = *this;
+        CurveControlsOf half = *this;
         std::array<Integer, 4> sums = m_points;
         for (std::size_t level = 0; level < m_count; ++level) {
-            half.m_points[level] = sums[0] << (degree() - level);
+            half.m_points[level] = sums[0] * (Integer(1) << (degree() - level));
             for (std::size_t i = 0; i + level + 1 < m_count; ++i)
                 sums[i] += sums[i + 1];
         }
         return half;
     }
-    CurveControls rightHalf() const { return reversed().leftHalf().reversed(); }
+    CurveControlsOf rightHalf() const { return reversed().leftHalf().reversed(); }
 
 private:
-    std::array<Integer, 4>::const_iterator end() const
+    auto end() const { return m_points.begin() + std::ptrdiff_t(m_count); }
+    CurveControlsOf reversed() const
     {
-        return m_points.begin() + std::ptrdiff_t(m_count);
-    }
-    CurveControls reversed() const
-    {
-        CurveControls other = *this;
+        CurveControlsOf other = *this;
         std::reverse(other.m_points.begin(), other.m_points.begin() + std::ptrdiff_t(m_count));
         return other;
     }
@@ -77,6 +73,8 @@ private:
     std::array<Integer, 4> m_points;
     std::size_t m_count;
 };
+
+using CurveControls = CurveControlsOf<boost::multiprecision::cpp_int>;
 
 /// A run of unit cells [k, k + 1).
 struct CellRange {
@@ -89,7 +87,7 @@ struct CellRange {
 /// Where one coordinate of a piece of a curve lies among cells of the pixel's size.
 class CurveExtent {
 public:
-    using Integer = CurveControls::Integer;
+    using Integer = boost::multiprecision::cpp_int;
 
     CurveExtent(const CurveControls &controls, const Integer &pixel)
         : m_atFirst(cellOf(controls.first(), pixel))

@@ -9,7 +9,7 @@ namespace pixelplumb::oracle {
 
 namespace {
 
-using Integer = CurveControls::Integer;
+using Integer = CurveExtent::Integer;
 
 /// The window of requested pixels. Pixels are counted from its first one.
 struct Window {
@@ -53,7 +53,7 @@ public:
     {
     }
 
-    void walk(const Piece &piece)
+    void walk(const Piece &piece) const
     {
         const Integer pixel = piece.pixel();
         const CurveExtent a(piece.a, pixel);
@@ -73,6 +73,12 @@ public:
             walk(piece.leftHalf());
             walk(piece.rightHalf());
         }
+    }
+    /// Reports the pixel if it is in the window, whose first one it is counted from.
+    void tellPixel(std::int64_t right, std::int64_t up) const
+    {
+        if (right >= 0 && right < m_window.columns && up >= 0 && up < m_window.rows)
+            m_function(m_window.firstColumn + right, m_window.firstRow + up);
     }
 
 private:
@@ -121,11 +127,6 @@ private:
         else if (isAtCorner)
             tellPixel((a - b + 1) / 2, (a + b - 1) / 2);
     }
-    void tellPixel(std::int64_t right, std::int64_t up) const
-    {
-        if (right >= 0 && right < m_window.columns && up >= 0 && up < m_window.rows)
-            m_function(m_window.firstColumn + right, m_window.firstRow + up);
-    }
 
     Window m_window;
     int m_deepest;
@@ -144,13 +145,11 @@ void forEachPixel(const Shape &curve, const Window &window, const Function &func
         b[i] = y - x + unitsPerPixel / 2;
     }
     const Piece whole{CurveControls(a, count), CurveControls(b, count)};
-    CurveWalk(whole, window, function).walk(whole);
+    const CurveWalk walk(whole, window, function);
+    walk.walk(whole);
     for (const std::size_t end : {std::size_t(0), count - 1}) {
         const LatticePoint pixel = nearestPixel(curve.vertices[end].position);
-        const std::int64_t right = pixel.x - window.firstColumn;
-        const std::int64_t up = pixel.y - window.firstRow;
-        if (right >= 0 && right < window.columns && up >= 0 && up < window.rows)
-            function(pixel.x, pixel.y);
+        walk.tellPixel(pixel.x - window.firstColumn, pixel.y - window.firstRow);
     }
 }
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/oracle/exactsample.h"
 
+#include "core/number/widequantity.h"
+
 namespace pixelplumb::oracle {
 
 namespace {
@@ -97,6 +99,23 @@ std::uint8_t sharedAlpha(std::uint8_t alpha, const BigRational &area)
 bool isNoFarther(const WideFraction &a, const WideFraction &b)
 {
     return a.numerator * b.denominator <= b.numerator * a.denominator;
+}
+
+std::array<Quantity, 3> colourLevelsAt(const Primitives &primitives, std::size_t triangle,
+                                       const EffectTruth &what, std::int64_t x, std::int64_t y)
+{
+    EffectTruth colourAlone;
+    colourAlone.smooth = what.smooth;
+    colourAlone.perspective = what.perspective;
+    colourAlone.texture = colourAlone.light = colourAlone.blending = false;
+    const Triangle &seen = primitives.triangles[triangle];
+    const std::optional<ExactSample> exact
+        = exactSampleAt(primitives, triangle, seen, ByteRounding::Nearest, colourAlone, x, y);
+    std::array<Quantity, 3> levels;
+    for (std::size_t channel = 0; exact && channel < 3; ++channel)
+        levels[channel]
+            = quotientOf(exact->levels[channel].numerator, exact->levels[channel].denominator);
+    return levels;
 }
 
 } // namespace pixelplumb::oracle

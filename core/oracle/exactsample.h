@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/number/quantity.h"
 #include "core/oracle/effecttruth.h"
 #include "core/oracle/lighttruth.h"
 #include "core/oracle/texturetruth.h"
@@ -44,5 +45,10 @@ std::uint8_t sharedAlpha(std::uint8_t alpha, const BigRational &area);
 
 /// Whether depth a passes the depth test against the stored depth b: a <= b.
 bool isNoFarther(const WideFraction &a, const WideFraction &b);
+
+/// R, G and B interpolated from the vertices' colours, before texture, light and blending; the
+/// first vertex's where the truth is not smooth.
+std::array<Quantity, 3> colourLevelsAt(const Primitives &primitives, std::size_t triangle,
+                                       const EffectTruth &what, std::int64_t x, std::int64_t y);
 
 } // namespace pixelplumb::oracle

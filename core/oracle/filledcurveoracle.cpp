@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/oracle/filledcurveoracle.h"
 
+#include "core/oracle/curvecells.h"
 #include "core/oracle/truepixel.h"
-
-#include <boost/multiprecision/cpp_int.hpp>
 
 #include <algorithm>
 #include <array>
@@ -16,40 +15,8 @@ namespace {
 /// A coordinate and its displacement need 39 bits, and each halving of a cubic three more.
 constexpr int deepestPathCut = 28;
 
-/// One coordinate of a piece's control points, in units that shrink with each halving.
-struct PathControls {
-    std::array<Int128, 4> points = {};
-    std::size_t count = 0;
-
-    std::size_t degree() const { return count - 1; }
-    const Int128 &first() const { return points.front(); }
-    const Int128 &last() const { return points[degree()]; }
-    Int128 lowest() const { return *std::ranges::min_element(std::span(points).first(count)); }
-    Int128 highest() const { return *std::ranges::max_element(std::span(points).first(count)); }
-
-    /// De Casteljau's repeated averages, kept as sums.
-    PathControls firstHalf() const
-    {
-        PathControls half = *this;
-        std::array<Int128, 4> sums = points;
-        for (std::size_t level = 0; level < count; ++level) {
-            half.points[level] = sums[0] * (Int128(1) << (degree() - level));
-            for (std::size_t i = 0; i + level + 1 < count; ++i)
-                sums[i] += sums[i + 1];
-        }
-        return half;
-    }
-    PathControls reversed() const
-    {
-        PathControls other = *this;
-        std::reverse(other.points.begin(), other.points.begin() + std::ptrdiff_t(count));
-        return other;
-    }
-    PathControls secondHalf() const { return reversed().firstHalf().reversed(); }
-};
-
 struct PathPiece {
-    PathControls x, y;
+    CurveControlsOf<Int128> x, y;
     int depth = 0; ///< halvings
 
     Int128 pixel() const { return Int128(unitsPerPixel) << (int(x.degree()) * depth); }
@@ -57,13 +24,12 @@ struct PathPiece {
 
 PathPiece pathPieceOf(std::span<const Vertex> controls)
 {
-    PathPiece piece;
-    piece.x.count = piece.y.count = controls.size();
+    std::array<Int128, 4> x = {}, y = {};
     for (std::size_t i = 0; i < controls.size(); ++i) {
-        piece.x.points[i] = controls[i].position.x;
-        piece.y.points[i] = controls[i].position.y;
+        x[i] = controls[i].position.x;
+        y[i] = controls[i].position.y;
     }
-    return piece;
+    return {{x, controls.size()}, {y, controls.size()}};
 }
 
 /// The curves and the straight edges between them.
@@ -118,8 +84,8 @@ public:
         const std::int64_t column = ceilDivided(piece.x.lowest(), pixel);
         const bool isBetweenColumns = column * pixel >= piece.x.highest();
         if (!isBetweenColumns && piece.depth < deepestPathCut) {
-            append({piece.x.firstHalf(), piece.y.firstHalf(), piece.depth + 1});
-            append({piece.x.secondHalf(), piece.y.secondHalf(), piece.depth + 1});
+            append({piece.x.leftHalf(), piece.y.leftHalf(), piece.depth + 1});
+            append({piece.x.rightHalf(), piece.y.rightHalf(), piece.depth + 1});
             return;
         }
         if (turn != 0)

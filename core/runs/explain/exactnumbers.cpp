@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/oracle/effectsample.h"
+#include "core/oracle/exactsample.h"
 #include "core/oracle/oracle.h"
 #include "core/runs/tracedscene.h"
 

@@ -3,8 +3,8 @@
 
 #include "core/frame/framebuffer.h"
 #include "core/oracle/effectoracle.h"
-#include "core/oracle/effectsample.h"
 #include "tests/support/framespec.h"
+#include "tests/support/scenes/effectsample.h"
 
 #include <QString>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/oracle/effectsample.h"
+#include "tests/support/scenes/effectsample.h"
 
 #include "core/number/widequantity.h"
 #include "core/oracle/exactsample.h"
@@ -86,21 +86,6 @@ std::optional<EffectSample> effectSampleAt(const Primitives &primitives, std::si
     const bool isShared = what.antialiasing == Antialiasing::Area && doubledArea(seen) != 0;
     sample.sharedAlpha = isShared ? sharedAlpha(exact->alpha, area) : exact->alpha;
     return sample;
-}
-
-std::array<Quantity, 3> colourLevelsAt(const Primitives &primitives, std::size_t triangle,
-                                       const EffectTruth &what, std::int64_t x, std::int64_t y)
-{
-    EffectTruth colourAlone;
-    colourAlone.smooth = what.smooth;
-    colourAlone.perspective = what.perspective;
-    colourAlone.texture = colourAlone.light = colourAlone.blending = false;
-    const Triangle &seen = primitives.triangles[triangle];
-    const std::optional<ExactSample> exact
-        = exactSampleAt(primitives, triangle, seen, ByteRounding::Nearest, colourAlone, x, y);
-    if (exact)
-        return quantitiesOf(exact->levels);
-    return {};
 }
 
 } // namespace pixelplumb::oracle

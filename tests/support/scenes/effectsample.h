@@ -48,9 +48,4 @@ std::optional<EffectSample> effectSampleAt(const Primitives &primitives, std::si
                                            ByteRounding rounding, const EffectTruth &what,
                                            std::int64_t x, std::int64_t y);
 
-/// R, G and B interpolated from the vertices' colours, before texture, light and blending; the
-/// first vertex's where the truth is not smooth.
-std::array<Quantity, 3> colourLevelsAt(const Primitives &primitives, std::size_t triangle,
-                                       const EffectTruth &what, std::int64_t x, std::int64_t y);
-
 } // namespace pixelplumb::oracle
