@@ -61,11 +61,10 @@ QString untestedText(const PixelAttempt &attempt, const TracedScene &traced)
 
 /// By what the run itself passed over a sample that the truth refuses, where that may be another
 /// reason.
-QString ownReasonText(const PixelAttempt &attempt, const TracedScene &traced, std::int64_t x,
-                      std::int64_t y)
+QString ownReasonText(const PixelAttempt &attempt, const TracedScene &traced)
 {
     if (isDecidedByOutline(attempt, *traced.trace)) {
-        const QString decided = stepBesideText(attempt, traced, x, y);
+        const QString decided = stepBesideText(attempt, traced);
         return decided.isEmpty() ? u" The outline has no pixel in this column."_s : decided;
     }
     if (attempt.written || !mayDecideOtherwise(traced))
@@ -77,22 +76,22 @@ QString ownReasonText(const PixelAttempt &attempt, const TracedScene &traced, st
         : QString();
 }
 
-QString segmentRefusalText(const PixelAttempt &attempt, const TracedScene &traced, std::int64_t x,
-                           std::int64_t y, const QString &start)
+QString segmentRefusalText(const PixelAttempt &attempt, const TracedScene &traced,
+                           const QString &start)
 {
     if (traced.scene.settings.fillRule != FillRule::Closed)
         return u"The triangle has no area: only the closed rule paints a segment."_s;
-    return start.arg(segmentText(traced.primitives.triangles[attempt.primitive], x, y))
-        + ownReasonText(attempt, traced, x, y);
+    return start.arg(
+               segmentText(traced.primitives.triangles[attempt.primitive], attempt.x, attempt.y))
+        + ownReasonText(attempt, traced);
 }
 
 /// Its samples, or its area, have decided; the centre's place is given for orientation.
 QString partlyRefusedText(const PixelAttempt &attempt, const TracedScene &traced,
-                          const oracle::EdgeVerdict &refusing, const QString &edge, std::int64_t x,
-                          std::int64_t y)
+                          const oracle::EdgeVerdict &refusing, const QString &edge)
 {
     const QString place = refusing.edgeFunction == 0
-        ? tiesText(attempt, traced, x, y, TieSide::Other)
+        ? tiesText(attempt, traced, TieSide::Other)
         : u"beyond %1, at %2"_s.arg(edge, distanceText(refusing, *traced.trace));
     return noPartText(traced) + u" The pixel's centre lies %1."_s.arg(place);
 }
@@ -122,15 +121,15 @@ bool mayDecideOtherwise(const TracedScene &traced)
     return !traced.method->isStableUnder(traced.scene.settings);
 }
 
-QString tiesText(const PixelAttempt &attempt, const TracedScene &traced, std::int64_t x,
-                 std::int64_t y, TieSide side)
+QString tiesText(const PixelAttempt &attempt, const TracedScene &traced, TieSide side)
 {
     QStringList ties;
     for (std::size_t i = 0; i < attempt.verdict.edges.size(); ++i) {
         const oracle::EdgeVerdict &edge = attempt.verdict.edges[i];
         if (edge.edgeFunction == 0 && edge.accepts == (side == TieSide::This))
             ties.append(u"exactly on %1, and %2"_s.arg(
-                attempt.edgeNames[i], tieText(traced, attempt.primitive, edge, x, y)));
+                attempt.edgeNames[i],
+                tieText(traced, attempt.primitive, edge, attempt.x, attempt.y)));
     }
     return ties.join(u"; it lies "_s);
 }
@@ -159,15 +158,14 @@ QString boundsText(const SpanRecord &span, Arithmetic arithmetic)
         : bounds + u"no sample"_s;
 }
 
-QString triangleRefusalText(const PixelAttempt &attempt, const TracedScene &traced, std::int64_t x,
-                            std::int64_t y)
+QString triangleRefusalText(const PixelAttempt &attempt, const TracedScene &traced)
 {
     const bool isBesideBox = isUntested(attempt, *traced.trace);
     const bool isOfTruthAlone = attempt.written || isBesideBox || mayDecideOtherwise(traced)
         || isDecidedByOutline(attempt, *traced.trace);
     const QString untested = isBesideBox ? untestedText(attempt, traced) : QString();
     if (attempt.verdict.zeroArea)
-        return segmentRefusalText(attempt, traced, x, y,
+        return segmentRefusalText(attempt, traced,
                                   isOfTruthAlone
                                       ? untested + u"The triangle has no area. In truth, %1."_s
                                       : u"The triangle has no area, and %1."_s);
@@ -177,10 +175,10 @@ QString triangleRefusalText(const PixelAttempt &attempt, const TracedScene &trac
     const oracle::EdgeVerdict &refusing = attempt.verdict.edges[index];
     const QString &edge = attempt.edgeNames[index];
     if (!noPartText(traced).isEmpty())
-        return partlyRefusedText(attempt, traced, refusing, edge, x, y);
-    const QString own = ownReasonText(attempt, traced, x, y);
+        return partlyRefusedText(attempt, traced, refusing, edge);
+    const QString own = ownReasonText(attempt, traced);
     if (refusing.edgeFunction == 0) {
-        const QString ties = tiesText(attempt, traced, x, y, TieSide::Other);
+        const QString ties = tiesText(attempt, traced, TieSide::Other);
         return untested + u"The sample lies %1."_s.arg(ties)
             + (own.contains(ties) ? QString() : own);
     }

@@ -22,14 +22,12 @@ bool mayDecideOtherwise(const TracedScene &traced);
 
 /// Why a triangle does not cover the sample: the edge that keeps it out, by how much, under which
 /// rule; and the run's own reason where that may be another.
-QString triangleRefusalText(const PixelAttempt &attempt, const TracedScene &traced, std::int64_t x,
-                            std::int64_t y);
+QString triangleRefusalText(const PixelAttempt &attempt, const TracedScene &traced);
 
 /// "exactly on P₀P₁, and the rule …; it lies exactly on …": the edges on which the sample lies and
 /// which give it to this side, or to the other; empty if it lies on none.
 enum class TieSide { This, Other };
-QString tiesText(const PixelAttempt &attempt, const TracedScene &traced, std::int64_t x,
-                 std::int64_t y, TieSide side);
+QString tiesText(const PixelAttempt &attempt, const TracedScene &traced, TieSide side);
 
 /// " Refused: E₂ = −2 is negative.": the numbers by which the kernel refused a triangle's sample.
 QString deciderText(const PixelAttempt &attempt, const TracedScene &traced);

@@ -17,8 +17,9 @@ namespace pixelplumb {
 namespace {
 
 /// The truth of one primitive at a pixel.
-void judge(PixelAttempt &attempt, const TracedScene &traced, std::int64_t x, std::int64_t y)
+void judge(PixelAttempt &attempt, const TracedScene &traced)
 {
+    const auto &[x, y] = std::pair(attempt.x, attempt.y);
     const Primitives &primitives = traced.primitives;
     if (attempt.kind == PrimitiveKind::Triangle) {
         const Triangle &triangle = primitives.triangles[attempt.primitive];
@@ -42,13 +43,13 @@ std::size_t endOf(const ScanTrace &trace, std::size_t primitive)
 }
 
 /// What the run did at the pixel.
-void recall(PixelAttempt &attempt, const ScanTrace &trace, std::int64_t x, std::int64_t y)
+void recall(PixelAttempt &attempt, const ScanTrace &trace)
 {
     attempt.decided = trace.stepCount();
     if (attempt.primitive >= trace.primitiveCount())
         return;
     attempt.decided = endOf(trace, attempt.primitive);
-    if (const auto visit = trace.visitOf(attempt.primitive, x, y)) {
+    if (const auto visit = trace.visitOf(attempt.primitive, attempt.x, attempt.y)) {
         const std::size_t span = trace.spanOf(*visit);
         attempt.span = trace.span(span);
         attempt.spanHeading = spanHeading(trace, span);
@@ -59,7 +60,7 @@ void recall(PixelAttempt &attempt, const ScanTrace &trace, std::int64_t x, std::
         attempt.written = attempt.change.isWritten();
         return;
     }
-    if (const auto span = trace.spanNear(attempt.primitive, x, y)) {
+    if (const auto span = trace.spanNear(attempt.primitive, attempt.x, attempt.y)) {
         attempt.decided
             = trace.indexOfSpan(*span) + 1 + trace.endSampleOf(*span) - trace.firstSampleOf(*span);
         attempt.span = trace.span(*span);
@@ -118,9 +119,11 @@ PixelAttempt pixelAttempt(const TracedScene &traced, std::size_t primitive, std:
 {
     PixelAttempt attempt;
     attempt.primitive = primitive;
+    attempt.x = x;
+    attempt.y = y;
     attempt.kind = traced.primitives.kindOf(primitive);
-    judge(attempt, traced, x, y);
-    recall(attempt, *traced.trace, x, y);
+    judge(attempt, traced);
+    recall(attempt, *traced.trace);
     recallExactly(attempt, traced);
     if (attempt.hasEdges()) {
         const SetUpRecord setUp = primitive < traced.trace->primitiveCount()
@@ -130,7 +133,7 @@ PixelAttempt pixelAttempt(const TracedScene &traced, std::size_t primitive, std:
             attempt.edgeNames[edge]
                 = edgeName(setUp, attempt.verdict.edges[edge].from, attempt.verdict.edges[edge].to);
     }
-    attempt.reason = reasonOf(attempt, traced, x, y);
+    attempt.reason = reasonOf(attempt, traced);
     return attempt;
 }
 

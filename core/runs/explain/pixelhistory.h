@@ -9,6 +9,7 @@ namespace pixelplumb {
 /// What one primitive did to one pixel, and what the truth says of it.
 struct PixelAttempt {
     std::size_t primitive = 0;
+    std::int64_t x = 0, y = 0; ///< the pixel
     PrimitiveKind kind = PrimitiveKind::Triangle;
     /// For a triangle: its edges at the pixel's own sample, and whether it covers that or,
     /// antialiased, some part of the pixel. For a shape: only `covered`.

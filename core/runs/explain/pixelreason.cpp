@@ -22,44 +22,39 @@ namespace {
 
 constexpr std::int64_t largestRedrawn = std::int64_t(1) << 18; ///< px, in less than a millisecond
 
-QRgb pixelOf(std::size_t primitive, const TracedScene &traced, VariantSet variants, std::int64_t x,
-             std::int64_t y)
+QRgb pixelUnder(VariantSet variants, const PixelAttempt &attempt, const TracedScene &traced)
 {
     ScanSettings settings = traced.scene.settings;
     settings.variants = variants;
     const FrameBuffer frame(traced.scene.frame);
-    Run(traced.method, aloneOf(traced.primitives, primitive), settings, frame.view())
+    Run(traced.method, aloneOf(traced.primitives, attempt.primitive), settings, frame.view())
         .draw(frame.view());
-    return *frame.view().at(x, y);
+    return *frame.view().at(attempt.x, attempt.y);
 }
 
 /// The variants without which the primitive would treat the pixel differently. All, if only several
 /// together make the difference or the frame is too large to test each.
-std::vector<Variant> variantsToBlame(const PixelAttempt &attempt, const TracedScene &traced,
-                                     std::int64_t x, std::int64_t y)
+std::vector<Variant> variantsToBlame(const PixelAttempt &attempt, const TracedScene &traced)
 {
     const VariantSet set = traced.scene.settings.variants;
     const FrameSpec &frame = traced.scene.frame;
-    std::vector<Variant> all;
-    for (const Variant variant : variantsIn(set))
-        all.push_back(variant);
+    const std::vector<Variant> all = variantsIn(set);
     if (std::int64_t(frame.width) * frame.height > largestRedrawn)
         return all;
-    const QRgb drawn = pixelOf(attempt.primitive, traced, set, x, y);
+    const QRgb drawn = pixelUnder(set, attempt, traced);
     std::vector<Variant> blamed;
     for (const Variant variant : all) {
-        if (pixelOf(attempt.primitive, traced, set.without(variant), x, y) != drawn)
+        if (pixelUnder(set.without(variant), attempt, traced) != drawn)
             blamed.push_back(variant);
     }
     return blamed.empty() && all.size() > 1 ? all : blamed;
 }
 
 /// What may make a pixel wrong in a run that departs from the correct algorithm; else empty.
-QString variantText(const PixelAttempt &attempt, const TracedScene &traced, std::int64_t x,
-                    std::int64_t y)
+QString variantText(const PixelAttempt &attempt, const TracedScene &traced)
 {
     QString text;
-    for (const Variant variant : variantsToBlame(attempt, traced, x, y)) {
+    for (const Variant variant : variantsToBlame(attempt, traced)) {
         const VariantWords &words = wordsOf(variant, traced.method->spanAxis);
         text += u" The run has the variant “%1”: %2 in place of %3. %4"_s.arg(
             nameText(words.title), nameText(words.printed), nameText(words.right),
@@ -68,28 +63,16 @@ QString variantText(const PixelAttempt &attempt, const TracedScene &traced, std:
     return text;
 }
 
-/// What the step in which the kernel passed over a sample says; empty if it says nothing, or if the
-/// sample was written or not visited.
-QString passingText(const PixelAttempt &attempt, const ScanTrace &trace)
-{
-    if (!attempt.sample || attempt.written)
-        return {};
-    const TraceStep step = trace.stepAt(attempt.step);
-    return trace.sampleWords(step.span, step.sample - trace.firstSampleOf(step.span)).sentence;
-}
-
 /// What keeps a sample out: an edge of a triangle, or what the kernel found of a shape.
-QString refusalText(const PixelAttempt &attempt, const TracedScene &traced, std::int64_t x,
-                    std::int64_t y)
+QString refusalText(const PixelAttempt &attempt, const TracedScene &traced)
 {
     if (attempt.kind == PrimitiveKind::Triangle)
-        return triangleRefusalText(attempt, traced, x, y);
-    const QString found = passingText(attempt, *traced.trace);
+        return triangleRefusalText(attempt, traced);
+    const QString found = attempt.written ? QString() : visitText(attempt, *traced.trace);
     const QString uncovered = u"The %1 does not cover it."_s.arg(nameOf(attempt.kind));
     return (found.isEmpty() && !attempt.written ? uncovered : found)
-        + (attempt.written ? stepOfPixelText(attempt, traced)
-                           : stepBesideText(attempt, traced, x, y))
-        + tieOfShapeText(attempt, traced, x, y);
+        + (attempt.written ? stepOfPixelText(attempt, traced) : stepBesideText(attempt, traced))
+        + tieOfShapeText(attempt, traced);
 }
 
 QString channelText(const PixelAttempt &attempt, std::size_t channel, QChar name)
@@ -111,16 +94,15 @@ QString writtenText(const PixelAttempt &attempt)
 
 /// The edges, or the segment of a triangle without area, on which a written sample lies, and why
 /// they are the triangle's own; empty where no rule gives an edge to one of its sides.
-QString keptTiesText(const PixelAttempt &attempt, const TracedScene &traced, std::int64_t x,
-                     std::int64_t y)
+QString keptTiesText(const PixelAttempt &attempt, const TracedScene &traced)
 {
     const FillRule rule = traced.scene.settings.fillRule;
     if (attempt.verdict.zeroArea)
         return u" The triangle has no area, and %1."_s.arg(
-            segmentText(traced.primitives.triangles[attempt.primitive], x, y));
+            segmentText(traced.primitives.triangles[attempt.primitive], attempt.x, attempt.y));
     if (rule == FillRule::Closed || rule == FillRule::Open)
         return {};
-    const QString ties = tiesText(attempt, traced, x, y, TieSide::This);
+    const QString ties = tiesText(attempt, traced, TieSide::This);
     return ties.isEmpty() ? ties : u" The sample lies %1."_s.arg(ties);
 }
 
@@ -142,8 +124,7 @@ QString acceptingText(const PixelAttempt &attempt, const TracedScene &traced)
 }
 
 /// Why the kernel passed over a sample that the truth covers.
-QString missedText(const PixelAttempt &attempt, const TracedScene &traced, std::int64_t x,
-                   std::int64_t y)
+QString missedText(const PixelAttempt &attempt, const TracedScene &traced)
 {
     const ScanTrace &trace = *traced.trace;
     if (attempt.primitive >= trace.primitiveCount())
@@ -155,14 +136,14 @@ QString missedText(const PixelAttempt &attempt, const TracedScene &traced, std::
         return u"Not recorded: the recording ended at its limit before this pixel."_s;
     if (!attempt.span)
         return u"Missing: the truth covers it, the kernel did not come here."_s
-            + stepBesideText(attempt, traced, x, y);
+            + stepBesideText(attempt, traced);
     if (attempt.kind == PrimitiveKind::Line)
         return u"Missing: the truth covers it, but the line's pixel here is another."_s
-            + stepBesideText(attempt, traced, x, y) + tieOfShapeText(attempt, traced, x, y);
+            + stepBesideText(attempt, traced) + tieOfShapeText(attempt, traced);
     const SpanRecord &span = *attempt.span;
-    const std::int64_t place = span.place.axis == SpanAxis::Column ? y : x;
+    const std::int64_t place = span.place.axis == SpanAxis::Column ? attempt.y : attempt.x;
     if (span.lower.isNone() && (place < span.firstSample || place >= span.endSample)) {
-        const QString decided = stepBesideText(attempt, traced, x, y);
+        const QString decided = stepBesideText(attempt, traced);
         const QString line = span.place.axis == SpanAxis::Column ? u"column"_s : u"row"_s;
         if (!decided.isEmpty())
             return u"Missing: the truth covers it, but in this %1 the kernel fills "
@@ -188,10 +169,7 @@ QString missedText(const PixelAttempt &attempt, const TracedScene &traced, std::
 /// What became of a sample that more than coverage and colour decided.
 QString shadedText(const PixelAttempt &attempt, const TracedScene &traced)
 {
-    const ScanTrace &trace = *traced.trace;
-    const TraceStep step = trace.stepAt(attempt.step);
-    const QString told
-        = trace.sampleWords(step.span, step.sample - trace.firstSampleOf(step.span)).sentence;
+    const QString told = visitText(attempt, *traced.trace);
     if (!attempt.written)
         return told;
     const Colour colour = unpacked(attempt.change.after);
@@ -209,8 +187,7 @@ bool isRejectedByKernel(const ScanTrace &trace, std::size_t primitive)
 }
 
 /// The sentences for any attempt.
-QString sentencesOn(const PixelAttempt &attempt, const TracedScene &traced, std::int64_t x,
-                    std::int64_t y)
+QString sentencesOn(const PixelAttempt &attempt, const TracedScene &traced)
 {
     // What a kernel found out about a sample says more than that it drew nothing.
     const bool isRefused = attempt.kind == PrimitiveKind::Triangle || attempt.sample.has_value();
@@ -227,9 +204,9 @@ QString sentencesOn(const PixelAttempt &attempt, const TracedScene &traced, std:
         return shadedText(attempt, traced);
     const auto approximation = [&] { return approximationText(*traced.trace, attempt.primitive); };
     if (!attempt.written) {
-        return attempt.verdict.covered ? missedText(attempt, traced, x, y)
-                + variantText(attempt, traced, x, y) + approximation()
-                                       : refusalText(attempt, traced, x, y);
+        return attempt.verdict.covered
+            ? missedText(attempt, traced) + variantText(attempt, traced) + approximation()
+            : refusalText(attempt, traced);
     }
     QString text = writtenText(attempt);
     if (!attempt.verdict.covered)
@@ -239,13 +216,13 @@ QString sentencesOn(const PixelAttempt &attempt, const TracedScene &traced, std:
                    : u"; the exact levels are those of %1. "_s.arg(
                        attempt.verdict.zeroArea ? u"its segment, prolonged"_s
                                                 : u"the triangle's plane outside of it"_s))
-            + refusalText(attempt, traced, x, y).trimmed() + acceptingText(attempt, traced)
-            + variantText(attempt, traced, x, y) + approximation();
+            + refusalText(attempt, traced).trimmed() + acceptingText(attempt, traced)
+            + variantText(attempt, traced) + approximation();
     if (attempt.kind != PrimitiveKind::Triangle)
-        return text + stepOfPixelText(attempt, traced) + variantText(attempt, traced, x, y);
-    text += keptTiesText(attempt, traced, x, y);
+        return text + stepOfPixelText(attempt, traced) + variantText(attempt, traced);
+    text += keptTiesText(attempt, traced);
     if (isDecidedByOutline(attempt, *traced.trace))
-        text += stepBesideText(attempt, traced, x, y);
+        text += stepBesideText(attempt, traced);
     const Colour exact
         = oracle::byteColourAt(traced.primitives.triangles[attempt.primitive], attempt.change.x,
                                attempt.change.y, traced.scene.settings.rounding);
@@ -253,16 +230,15 @@ QString sentencesOn(const PixelAttempt &attempt, const TracedScene &traced, std:
         text += u" The exact colour is %1, %2, %3."_s.arg(exact.red())
                     .arg(exact.green())
                     .arg(exact.blue())
-            + variantText(attempt, traced, x, y);
+            + variantText(attempt, traced);
     return text;
 }
 
 } // namespace
 
-QString reasonOf(const PixelAttempt &attempt, const TracedScene &traced, std::int64_t x,
-                 std::int64_t y)
+QString reasonOf(const PixelAttempt &attempt, const TracedScene &traced)
 {
-    return withMinus(sentencesOn(attempt, traced, x, y));
+    return withMinus(sentencesOn(attempt, traced));
 }
 
 } // namespace pixelplumb

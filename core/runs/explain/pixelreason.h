@@ -6,7 +6,6 @@
 namespace pixelplumb {
 
 /// The reason of one attempt (PixelAttempt::reason), whose other members are filled in.
-QString reasonOf(const PixelAttempt &attempt, const TracedScene &traced, std::int64_t x,
-                 std::int64_t y);
+QString reasonOf(const PixelAttempt &attempt, const TracedScene &traced);
 
 } // namespace pixelplumb

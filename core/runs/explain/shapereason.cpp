@@ -38,11 +38,11 @@ QString tieOfPolygonText(const Shape &polygon, FillRule rule, const LatticePoint
 
 /// Says that the line is equally near to the pixel and to the one beside it; empty if it is not, or
 /// if the truth has neither.
-QString tieOfLineText(const Shape &line, std::int64_t x, std::int64_t y)
+QString tieOfLineText(const Shape &line, const PixelAttempt &attempt)
 {
     const oracle::TrueLine truth(line.vertices[0], line.vertices[1]);
-    const std::int64_t along = truth.isSteep() ? y : x;
-    const std::int64_t across = truth.isSteep() ? x : y;
+    const std::int64_t along = truth.isSteep() ? attempt.y : attempt.x;
+    const std::int64_t across = truth.isSteep() ? attempt.x : attempt.y;
     if (along < truth.first() || along >= truth.end() || !truth.isMidwayAt(along))
         return {};
     const std::int64_t greater = truth.nearestAt(along);
@@ -65,18 +65,16 @@ QString stepText(const TracedScene &traced, std::size_t span)
     return told.isEmpty() ? told : pattern.arg(spanHeading(*traced.trace, span), told);
 }
 
-/// The first of a primitive's written samples that are nearest to a pixel; none if it wrote
-/// nothing.
-std::optional<std::size_t> nearestWritten(const ScanTrace &trace, std::size_t primitive,
-                                          std::int64_t x, std::int64_t y)
+/// The first of the written samples that are nearest to the pixel; none if nothing was written.
+std::optional<std::size_t> nearestWritten(const ScanTrace &trace, const PixelAttempt &attempt)
 {
     std::optional<std::size_t> nearest;
     std::int64_t least = 0;
-    const std::size_t end = trace.endSampleOf(trace.endSpanOf(primitive) - 1);
-    for (std::size_t i = trace.firstSampleOf(trace.firstSpanOf(primitive)); i < end; ++i) {
+    const std::size_t end = trace.endSampleOf(trace.endSpanOf(attempt.primitive) - 1);
+    for (std::size_t i = trace.firstSampleOf(trace.firstSpanOf(attempt.primitive)); i < end; ++i) {
         const PixelChange &change = trace.changes()[i];
-        const std::int64_t distance
-            = (change.x - x) * (change.x - x) + (change.y - y) * (change.y - y);
+        const std::int64_t distance = (change.x - attempt.x) * (change.x - attempt.x)
+            + (change.y - attempt.y) * (change.y - attempt.y);
         if (change.isWritten() && (!nearest || distance < least)) {
             nearest = i;
             least = distance;
@@ -87,21 +85,20 @@ std::optional<std::size_t> nearestWritten(const ScanTrace &trace, std::size_t pr
 
 /// The steps that wrote the four pixels next to this one show where a curve goes; if it passes none
 /// of them, the step that wrote the nearest.
-QString stepsNextToText(const TracedScene &traced, std::size_t primitive, std::int64_t x,
-                        std::int64_t y)
+QString stepsNextToText(const PixelAttempt &attempt, const TracedScene &traced)
 {
     const ScanTrace &trace = *traced.trace;
     std::vector<std::size_t> spans;
     constexpr std::array<std::array<int, 2>, 4> sides = {{{0, 1}, {0, -1}, {1, 0}, {-1, 0}}};
     for (const auto &[right, up] : sides) {
-        const auto visit = trace.visitOf(primitive, x + right, y + up);
+        const auto visit = trace.visitOf(attempt.primitive, attempt.x + right, attempt.y + up);
         if (!visit || !trace.changes()[*visit].isWritten())
             continue;
         if (const std::size_t span = trace.spanOf(*visit); std::ranges::count(spans, span) == 0)
             spans.push_back(span);
     }
     if (spans.empty()) {
-        if (const auto nearest = nearestWritten(trace, primitive, x, y))
+        if (const auto nearest = nearestWritten(trace, attempt))
             spans.push_back(trace.spanOf(*nearest));
         else if (!trace.isCut())
             return u" None of its steps writes a pixel of the frame."_s;
@@ -127,8 +124,7 @@ QString linesText(const QString &kind, std::int64_t first, std::int64_t last)
 }
 
 /// That a line's walk has no step on the pixel's column or row.
-QString noStepText(const PixelAttempt &attempt, const ScanTrace &trace, std::int64_t x,
-                   std::int64_t y)
+QString noStepText(const PixelAttempt &attempt, const ScanTrace &trace)
 {
     const std::size_t first = trace.firstSpanOf(attempt.primitive);
     const std::size_t end = trace.endSpanOf(attempt.primitive);
@@ -143,7 +139,7 @@ QString noStepText(const PixelAttempt &attempt, const ScanTrace &trace, std::int
     const QString kind = isRow ? u"row"_s : u"column"_s;
     const auto [least, greatest] = std::ranges::minmax_element(places);
     return u" The walk along the line has no step on the %1 %2: in the frame it has %3."_s.arg(kind)
-        .arg(isRow ? y : x)
+        .arg(isRow ? attempt.y : attempt.x)
         .arg(places.empty() ? u"none"_s : u"steps on the "_s + linesText(kind, *least, *greatest));
 }
 
@@ -167,8 +163,9 @@ std::optional<std::int64_t> firstColumnOf(const ScanTrace &trace, std::size_t pr
 
 /// The step of the pixel's column, or that there is none.
 QString stepOfColumnText(const PixelAttempt &attempt, const TracedScene &traced,
-                         std::int64_t firstColumn, std::int64_t x)
+                         std::int64_t firstColumn)
 {
+    const std::int64_t x = attempt.x;
     const std::size_t first = traced.trace->firstSpanOf(attempt.primitive);
     const auto count = std::int64_t(traced.trace->endSpanOf(attempt.primitive) - first);
     if (x >= firstColumn && x < firstColumn + count)
@@ -179,13 +176,13 @@ QString stepOfColumnText(const PixelAttempt &attempt, const TracedScene &traced,
 }
 
 /// That a fill has no span on the pixel's row.
-QString noRowText(const PixelAttempt &attempt, const ScanTrace &trace, std::int64_t y)
+QString noRowText(const PixelAttempt &attempt, const ScanTrace &trace)
 {
     if (attempt.kind == PrimitiveKind::Circle || attempt.kind == PrimitiveKind::Ellipse)
-        return beyondCircleText(attempt, u"row"_s, y,
+        return beyondCircleText(attempt, u"row"_s, attempt.y,
                                 trace.placeOf(trace.firstSpanOf(attempt.primitive)).coordinate,
                                 trace.placeOf(trace.endSpanOf(attempt.primitive) - 1).coordinate);
-    return u" The row %1 crosses none of its %2."_s.arg(y).arg(
+    return u" The row %1 crosses none of its %2."_s.arg(attempt.y).arg(
         hasNumber(trace.numbers().span, u"triangle"_s) ? u"triangles"_s : u"edges"_s);
 }
 
@@ -201,6 +198,14 @@ QString spanText(const TracedScene &traced, std::size_t span)
 
 } // namespace
 
+QString visitText(const PixelAttempt &attempt, const ScanTrace &trace)
+{
+    if (!attempt.sample)
+        return {};
+    const TraceStep step = trace.stepAt(attempt.step);
+    return trace.sampleWords(step.span, step.sample - trace.firstSampleOf(step.span)).sentence;
+}
+
 bool isDecidedByOutline(const PixelAttempt &attempt, const ScanTrace &trace)
 {
     return attempt.kind == PrimitiveKind::Triangle && hasNumber(trace.numbers().span, "edge_low");
@@ -213,13 +218,12 @@ bool isUntested(const PixelAttempt &attempt, const ScanTrace &trace)
     return !attempt.sample && !trace.isCut() && isOfBox;
 }
 
-QString stepBesideText(const PixelAttempt &attempt, const TracedScene &traced, std::int64_t x,
-                       std::int64_t y)
+QString stepBesideText(const PixelAttempt &attempt, const TracedScene &traced)
 {
     const ScanTrace &trace = *traced.trace;
     if (attempt.primitive >= trace.primitiveCount())
         return {};
-    const auto step = trace.spanNear(attempt.primitive, x, y);
+    const auto step = trace.spanNear(attempt.primitive, attempt.x, attempt.y);
     if (attempt.kind == PrimitiveKind::Triangle)
         return step && isDecidedByOutline(attempt, trace) ? stepText(traced, *step) : QString();
     const std::size_t first = trace.firstSpanOf(attempt.primitive);
@@ -228,20 +232,20 @@ QString stepBesideText(const PixelAttempt &attempt, const TracedScene &traced, s
     const SpanAxis axis = trace.placeOf(first).axis;
     if (axis == SpanAxis::Free) {
         const auto column = firstColumnOf(trace, attempt.primitive);
-        return column ? stepOfColumnText(attempt, traced, *column, x)
-                      : stepsNextToText(traced, attempt.primitive, x, y);
+        return column ? stepOfColumnText(attempt, traced, *column)
+                      : stepsNextToText(attempt, traced);
     }
     if (step)
         return attempt.sample && attempt.kind != PrimitiveKind::Line ? QString()
                                                                      : spanText(traced, *step);
     if (attempt.kind == PrimitiveKind::Line)
-        return noStepText(attempt, trace, x, y);
+        return noStepText(attempt, trace);
     if (trace.isCut())
         return {};
     // The lines of an outline go along columns and rows.
     return axis == SpanAxis::Row && !hasNumber(trace.numbers().span, "p_k")
-        ? noRowText(attempt, trace, y)
-        : stepsNextToText(traced, attempt.primitive, x, y);
+        ? noRowText(attempt, trace)
+        : stepsNextToText(attempt, traced);
 }
 
 QString stepOfPixelText(const PixelAttempt &attempt, const TracedScene &traced)
@@ -250,8 +254,7 @@ QString stepOfPixelText(const PixelAttempt &attempt, const TracedScene &traced)
     if (!attempt.written)
         return {};
     const TraceStep step = trace.stepAt(attempt.step);
-    const QString told
-        = trace.sampleWords(step.span, step.sample - trace.firstSampleOf(step.span)).sentence;
+    const QString told = visitText(attempt, trace);
     // What decides samples of a row is how its edges cross it.
     const bool hasCrossings = attempt.kind == PrimitiveKind::Polygon && !attempt.verdict.covered
         && trace.placeOf(step.span).axis == SpanAxis::Row;
@@ -260,14 +263,13 @@ QString stepOfPixelText(const PixelAttempt &attempt, const TracedScene &traced)
     return u' ' + told;
 }
 
-QString tieOfShapeText(const PixelAttempt &attempt, const TracedScene &traced, std::int64_t x,
-                       std::int64_t y)
+QString tieOfShapeText(const PixelAttempt &attempt, const TracedScene &traced)
 {
     if (attempt.kind == PrimitiveKind::Polygon)
         return tieOfPolygonText(traced.primitives.shape(attempt.primitive),
-                                traced.scene.settings.fillRule, latticePixel(x, y));
+                                traced.scene.settings.fillRule, latticePixel(attempt.x, attempt.y));
     if (attempt.kind == PrimitiveKind::Line)
-        return tieOfLineText(traced.primitives.shape(attempt.primitive), x, y);
+        return tieOfLineText(traced.primitives.shape(attempt.primitive), attempt);
     return {};
 }
 
