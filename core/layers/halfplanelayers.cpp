@@ -181,8 +181,9 @@ void appendHalfPlanes(const LayerMoment &moment, std::size_t first, std::size_t 
             moment.view.traced->method->title));
 }
 
-template <std::size_t edge>
-Layer halfPlaneLayer()
+} // namespace
+
+Layer halfPlaneLayer(std::size_t edge)
 {
     return {.id = u"half-plane-%1"_s.arg(edge),
             .title = u"Half-plane of E"_s + QChar(char16_t(u'₀' + edge)),
@@ -192,12 +193,10 @@ Layer halfPlaneLayer()
                            .arg(QStringList({"bc", "ca", "ab"})[qsizetype(edge)]),
             .source = "Rasterization slides, “Edge Equations”",
             .kinds = {PrimitiveKind::Triangle},
-            .draw = [](const LayerMoment &moment, LayerDrawing &drawing) {
+            .draw = [edge](const LayerMoment &moment, LayerDrawing &drawing) {
                 appendHalfPlanes(moment, edge, edge + 1, drawing);
             }};
 }
-
-} // namespace
 
 Layer halfPlanesLayer()
 {
@@ -213,9 +212,5 @@ Layer halfPlanesLayer()
                 appendHalfPlanes(moment, 0, 3, drawing);
             }};
 }
-
-Layer halfPlane0Layer() { return halfPlaneLayer<0>(); }
-Layer halfPlane1Layer() { return halfPlaneLayer<1>(); }
-Layer halfPlane2Layer() { return halfPlaneLayer<2>(); }
 
 } // namespace pixelplumb

@@ -68,8 +68,7 @@ QString withoutLines(QChar letter, const std::array<PlaneCorner, 3> &corners)
         .arg(levelStep);
 }
 
-template <std::size_t channel>
-void drawIsolines(const LayerMoment &moment, LayerDrawing &drawing)
+void drawIsolines(std::size_t channel, const LayerMoment &moment, LayerDrawing &drawing)
 {
     if (doubledArea(moment.triangle()) == 0)
         return drawing.notes.append(
@@ -102,36 +101,27 @@ void drawIsolines(const LayerMoment &moment, LayerDrawing &drawing)
         drawing.notes.append(withoutLines(channelLetters[channel], corners));
 }
 
-template <std::size_t channel>
-Layer isolinesLayer(const QString &id, const QString &title)
+} // namespace
+
+Layer isolinesLayer(std::size_t channel)
 {
-    const QChar letter = channelLetters[channel];
+    static constexpr std::array<std::pair<const char *, const char *>, 3> names
+        = {{{"isolines-red", QT_TRANSLATE_NOOP("core", "Contour lines of R")},
+            {"isolines-green", QT_TRANSLATE_NOOP("core", "Contour lines of G")},
+            {"isolines-blue", QT_TRANSLATE_NOOP("core", "Contour lines of B")}}};
     return {
-        .id = id,
-        .title = title,
+        .id = names[channel].first,
+        .title = names[channel].second,
         .toolTip
         = u"Lines on which %1 is the same, every %2 levels: the plane %1 = a·x + b·y + c of the "
           "set-up, or where the method has none the exact one through the vertices' levels."_s
-              .arg(letter)
+              .arg(channelLetters[channel])
               .arg(levelStep),
         .source = "Scan Conversion slides, “2. Plane Equation”",
         .kinds = {PrimitiveKind::Triangle},
-        .draw = drawIsolines<channel>};
-}
-
-} // namespace
-
-Layer redIsolinesLayer()
-{
-    return isolinesLayer<0>("isolines-red", QT_TRANSLATE_NOOP("core", "Contour lines of R"));
-}
-Layer greenIsolinesLayer()
-{
-    return isolinesLayer<1>("isolines-green", QT_TRANSLATE_NOOP("core", "Contour lines of G"));
-}
-Layer blueIsolinesLayer()
-{
-    return isolinesLayer<2>("isolines-blue", QT_TRANSLATE_NOOP("core", "Contour lines of B"));
+        .draw = [channel](const LayerMoment &moment, LayerDrawing &drawing) {
+            drawIsolines(channel, moment, drawing);
+        }};
 }
 
 } // namespace pixelplumb

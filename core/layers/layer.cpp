@@ -74,10 +74,10 @@ QString Layer::objection(const Scene &scene) const
 std::span<const Layer> layers()
 {
     static const std::array table
-        = {verticesLayer(),        boxLayer(),        halfPlanesLayer(),  halfPlane0Layer(),
-           halfPlane1Layer(),      halfPlane2Layer(), weightsLayer(),     levelsLayer(),
-           barycentricAxesLayer(), affineMapLayer(),  redIsolinesLayer(), greenIsolinesLayer(),
-           blueIsolinesLayer(),    innerEdgesLayer(), edgeTableLayer(),   decisionsLayer(),
+        = {verticesLayer(),        boxLayer(),        halfPlanesLayer(), halfPlaneLayer(0),
+           halfPlaneLayer(1),      halfPlaneLayer(2), weightsLayer(),    levelsLayer(),
+           barycentricAxesLayer(), affineMapLayer(),  isolinesLayer(0),  isolinesLayer(1),
+           isolinesLayer(2),       innerEdgesLayer(), edgeTableLayer(),  decisionsLayer(),
            brightnessLayer(),      samplesLayer(),    memoryLayer()};
     return table;
 }

@@ -4,6 +4,7 @@
 #include "core/layers/layerdrawing.h"
 #include "core/layers/layermoment.h"
 
+#include <functional>
 #include <span>
 
 namespace pixelplumb {
@@ -19,7 +20,7 @@ struct Layer {
     std::vector<PrimitiveKind> kinds = {};
     /// The ids of the methods whose numbers it shows; empty: of all that draw these kinds.
     QStringList methods = {};
-    void (*draw)(const LayerMoment &moment, LayerDrawing &drawing);
+    std::function<void(const LayerMoment &moment, LayerDrawing &drawing)> draw;
 
     /// Why it has nothing to show for a scene under its method, as a sentence without its full
     /// stop; empty if it has.

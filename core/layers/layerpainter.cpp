@@ -8,11 +8,26 @@
 
 #include <QPainter>
 
+#include <array>
+
 namespace pixelplumb {
 
 using namespace Qt::StringLiterals;
 
 namespace {
+
+struct InkColours {
+    QRgb light; ///< on light paper
+    QRgb dark; ///< on dark paper
+};
+/// By LayerInk.
+constexpr std::array<InkColours, 7> inkColours = {{{0x202020, 0xf0f0f0},
+                                                   {0x0072b2, 0x56b4e9},
+                                                   {0xb34700, 0xff9e4a},
+                                                   {0x8a3f6e, 0xe39ac4},
+                                                   {0x0072b2, 0x56b4e9},
+                                                   {0xb34700, 0xff9e4a},
+                                                   {0x00775a, 0x2fd0a0}}};
 
 /// Clips painting to the view.
 class PaintingInView {
@@ -69,6 +84,17 @@ std::vector<QRectF> namedPlaces(const LayerDrawing &drawing, const LayerSurface 
 }
 
 } // namespace
+
+QColor colourOf(LayerInk ink, LayerTone tone)
+{
+    const InkColours &colours = inkColours[std::size_t(ink)];
+    return QColor::fromRgb(tone == LayerTone::Light ? colours.light : colours.dark);
+}
+
+QColor paperOf(LayerTone tone)
+{
+    return QColor::fromRgb(tone == LayerTone::Light ? 0xffffff : 0x202020);
+}
 
 QTransform pictureTransform(const FrameSpec &frame, const QPointF &corner, double cell)
 {

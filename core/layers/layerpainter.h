@@ -3,8 +3,9 @@
 
 #include "core/frame/framespec.h"
 #include "core/layers/glyphs.h"
-#include "core/layers/layerink.h"
+#include "core/layers/layerdrawing.h"
 
+#include <QColor>
 #include <QRectF>
 #include <QStringList>
 #include <QTransform>
@@ -15,6 +16,14 @@
 class QPainter;
 
 namespace pixelplumb {
+
+/// Whether layers are painted on light paper or on dark.
+enum class LayerTone { Light, Dark };
+
+/// From the Okabe–Ito set, like the window's signs, so that text in it keeps 4.5:1 on the paper.
+QColor colourOf(LayerInk ink, LayerTone tone);
+/// The background of lines and texts, which stay readable on every colour that a frame may hold.
+QColor paperOf(LayerTone tone);
 
 /// From sample coordinates to those of a picture of the frame, whose upper left corner is at
 /// `corner` and whose pixels are squares of `cell`: y is flipped if the frame's grows upward.

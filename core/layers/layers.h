@@ -10,11 +10,10 @@ namespace pixelplumb {
 Layer verticesLayer();
 /// The bounding box: raw, rounded as the slides print it, and clipped.
 Layer boxLayer();
-/// Where the edge functions are positive, with the normals <A, B>: all three, and one by one.
+/// Where the edge functions are positive, with the normals <A, B>: all three, and one by one, 0
+/// … 2.
 Layer halfPlanesLayer();
-Layer halfPlane0Layer();
-Layer halfPlane1Layer();
-Layer halfPlane2Layer();
+Layer halfPlaneLayer(std::size_t edge);
 /// What decides a sample, and what colours it, as numbers in the cells.
 Layer weightsLayer();
 Layer levelsLayer();
@@ -22,10 +21,8 @@ Layer levelsLayer();
 Layer barycentricAxesLayer();
 /// Where an affine map takes the triangle, and the weights that it leaves.
 Layer affineMapLayer();
-/// The plane of a channel as contour lines.
-Layer redIsolinesLayer();
-Layer greenIsolinesLayer();
-Layer blueIsolinesLayer();
+/// The plane of a channel, 0 … 2, as contour lines.
+Layer isolinesLayer(std::size_t channel);
 /// For polygons: their triangles, and the rows by parity.
 Layer innerEdgesLayer();
 Layer edgeTableLayer();
