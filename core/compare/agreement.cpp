@@ -3,57 +3,31 @@
 
 namespace pixelplumb {
 
-using namespace Qt::StringLiterals;
-
 QString nameOf(Disagreement reason)
 {
-    switch (reason) {
-    case Disagreement::None:
-        return QStringLiteral(QT_TRANSLATE_NOOP("core", "agreed"));
-    case Disagreement::TieRule:
-        return QStringLiteral(QT_TRANSLATE_NOOP("core", "tie rule"));
-    case Disagreement::Undrawn:
-        return QStringLiteral(QT_TRANSLATE_NOOP("core", "kind not drawn"));
-    case Disagreement::Rounding:
-        return QStringLiteral(QT_TRANSLATE_NOOP("core", "rounding"));
-    case Disagreement::Drift:
-        return QStringLiteral(QT_TRANSLATE_NOOP("core", "drift"));
-    case Disagreement::Precision:
-        return QStringLiteral(QT_TRANSLATE_NOOP("core", "precision"));
-    case Disagreement::Method:
-        return QStringLiteral(QT_TRANSLATE_NOOP("core", "method"));
-    case Disagreement::NotRecorded:
-        return QStringLiteral(QT_TRANSLATE_NOOP("core", "not recorded"));
-    }
-    return {};
+    static constexpr std::array names
+        = {QT_TRANSLATE_NOOP("core", "agreed"),         QT_TRANSLATE_NOOP("core", "tie rule"),
+           QT_TRANSLATE_NOOP("core", "kind not drawn"), QT_TRANSLATE_NOOP("core", "rounding"),
+           QT_TRANSLATE_NOOP("core", "drift"),          QT_TRANSLATE_NOOP("core", "precision"),
+           QT_TRANSLATE_NOOP("core", "method"),         QT_TRANSLATE_NOOP("core", "not recorded")};
+    static_assert(names.size() == std::size_t(Disagreement::NotRecorded) + 1);
+    return QString::fromUtf8(names[std::size_t(reason)]);
 }
 
 QString textOf(Disagreement reason)
 {
-    switch (reason) {
-    case Disagreement::None:
-        return u"All agree."_s;
-    case Disagreement::TieRule:
-        return u"The sample lies exactly on an edge, and the fill rules give it to "
-               "different sides."_s;
-    case Disagreement::Undrawn:
-        return u"A primitive of a kind that one of the methods does not draw covers "
-               "the pixel."_s;
-    case Disagreement::Rounding:
-        return u"The same coverage; a level close to a rounding limit fell to the "
-               "other side."_s;
-    case Disagreement::Drift:
-        return u"The number type could hold the number that decides, but the "
-               "increments added up to another one."_s;
-    case Disagreement::Precision:
-        return u"The number type cannot hold the number that decides closely "
-               "enough."_s;
-    case Disagreement::Method:
-        return u"The method itself departs from the truth, in exact arithmetic too."_s;
-    case Disagreement::NotRecorded:
-        return u"The recording ended at its limit before this pixel."_s;
-    }
-    return {};
+    static constexpr std::array texts
+        = {"All agree.",
+           "The sample lies exactly on an edge, and the fill rules give it to different sides.",
+           "A primitive of a kind that one of the methods does not draw covers the pixel.",
+           "The same coverage; a level close to a rounding limit fell to the other side.",
+           "The number type could hold the number that decides, but the increments added up to "
+           "another one.",
+           "The number type cannot hold the number that decides closely enough.",
+           "The method itself departs from the truth, in exact arithmetic too.",
+           "The recording ended at its limit before this pixel."};
+    static_assert(texts.size() == std::size_t(Disagreement::NotRecorded) + 1);
+    return QString::fromUtf8(texts[std::size_t(reason)]);
 }
 
 void AgreementMap::set(std::int64_t x, std::int64_t y, int agreeing, Disagreement reason)

@@ -1,25 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/fast/instructionset.h"
 
+#include <array>
+
 namespace pixelplumb {
 
 std::string_view nameOf(InstructionSet set)
 {
-    switch (set) {
-    case InstructionSet::Scalar:
-        return "scalar";
-    case InstructionSet::Neon:
-        return "neon";
-    case InstructionSet::Sse4:
-        return "sse4";
-    case InstructionSet::Avx2:
-        return "avx2";
-    case InstructionSet::Avx512:
-        return "avx512";
-    case InstructionSet::Avx512Vbmi:
-        return "avx512-vbmi";
-    }
-    return {};
+    static constexpr std::array names = {"scalar", "neon", "sse4", "avx2", "avx512", "avx512-vbmi"};
+    static_assert(names.size() == std::size_t(InstructionSet::Avx512Vbmi) + 1);
+    return names[std::size_t(set)];
 }
 
 } // namespace pixelplumb

@@ -17,7 +17,7 @@ enum class InstructionSet {
     Avx512Vbmi, ///< also byte permutes across two registers (Ice Lake, Zen 4)
 };
 
-/// The name in reports and on the command line: "scalar", "neon", "sse4", …
+/// The name in reports: "scalar", "neon", "sse4", …
 std::string_view nameOf(InstructionSet set);
 
 /// The sets that this machine supports, the best last. Never empty.

@@ -2,6 +2,7 @@
 #include "core/geometry/shape.h"
 
 #include <algorithm>
+#include <array>
 
 namespace pixelplumb {
 
@@ -20,25 +21,13 @@ const TriangleAttributes *Primitives::attributesOf(std::size_t triangle) const
 
 QString nameOf(PrimitiveKind kind)
 {
-    switch (kind) {
-    case PrimitiveKind::Triangle:
-        return QStringLiteral(QT_TRANSLATE_NOOP("core", "triangle"));
-    case PrimitiveKind::Point:
-        return QStringLiteral(QT_TRANSLATE_NOOP("core", "point"));
-    case PrimitiveKind::Line:
-        return QStringLiteral(QT_TRANSLATE_NOOP("core", "line"));
-    case PrimitiveKind::Circle:
-        return QStringLiteral(QT_TRANSLATE_NOOP("core", "circle"));
-    case PrimitiveKind::Ellipse:
-        return QStringLiteral(QT_TRANSLATE_NOOP("core", "ellipse"));
-    case PrimitiveKind::Bezier:
-        return QStringLiteral(QT_TRANSLATE_NOOP("core", "bezier"));
-    case PrimitiveKind::Polygon:
-        return QStringLiteral(QT_TRANSLATE_NOOP("core", "polygon"));
-    case PrimitiveKind::Text:
-        return QStringLiteral(QT_TRANSLATE_NOOP("core", "text"));
-    }
-    return {};
+    static constexpr std::array names
+        = {QT_TRANSLATE_NOOP("core", "triangle"), QT_TRANSLATE_NOOP("core", "point"),
+           QT_TRANSLATE_NOOP("core", "line"),     QT_TRANSLATE_NOOP("core", "circle"),
+           QT_TRANSLATE_NOOP("core", "ellipse"),  QT_TRANSLATE_NOOP("core", "bezier"),
+           QT_TRANSLATE_NOOP("core", "polygon"),  QT_TRANSLATE_NOOP("core", "text")};
+    static_assert(names.size() == std::size_t(PrimitiveKind::Text) + 1);
+    return QString::fromUtf8(names[std::size_t(kind)]);
 }
 
 } // namespace pixelplumb

@@ -2,6 +2,7 @@
 #include "core/methods/method.h"
 
 #include <algorithm>
+#include <array>
 
 namespace pixelplumb {
 
@@ -60,23 +61,15 @@ bool Method::isStableIn(Arithmetic arithmetic) const
 
 QString titleOf(MethodFamily family)
 {
-    switch (family) {
-    case MethodFamily::Triangles:
-        return QStringLiteral(QT_TRANSLATE_NOOP("core", "Triangles"));
-    case MethodFamily::StableForms:
-        return QStringLiteral(QT_TRANSLATE_NOOP("core", "Triangles, stable forms"));
-    case MethodFamily::Interpolation:
-        return QStringLiteral(QT_TRANSLATE_NOOP("core", "Interpolation"));
-    case MethodFamily::Lines:
-        return QStringLiteral(QT_TRANSLATE_NOOP("core", "Lines"));
-    case MethodFamily::Curves:
-        return QStringLiteral(QT_TRANSLATE_NOOP("core", "Curves"));
-    case MethodFamily::Polygons:
-        return QStringLiteral(QT_TRANSLATE_NOOP("core", "Polygons"));
-    case MethodFamily::Others:
-        return QStringLiteral(QT_TRANSLATE_NOOP("core", "Points and text"));
-    }
-    return {};
+    static constexpr std::array names = {QT_TRANSLATE_NOOP("core", "Triangles"),
+                                         QT_TRANSLATE_NOOP("core", "Triangles, stable forms"),
+                                         QT_TRANSLATE_NOOP("core", "Interpolation"),
+                                         QT_TRANSLATE_NOOP("core", "Lines"),
+                                         QT_TRANSLATE_NOOP("core", "Curves"),
+                                         QT_TRANSLATE_NOOP("core", "Polygons"),
+                                         QT_TRANSLATE_NOOP("core", "Points and text")};
+    static_assert(names.size() == std::size_t(MethodFamily::Others) + 1);
+    return QString::fromUtf8(names[std::size_t(family)]);
 }
 
 const Method *methodNamed(QStringView id)

@@ -19,36 +19,16 @@ std::optional<Choice> choiceNamed(const std::array<Choice, Count> &choices, std:
 
 std::string_view nameOf(FillRule rule)
 {
-    switch (rule) {
-    case FillRule::Closed:
-        return "closed";
-    case FillRule::HalfOpenColumn:
-        return "half-open-column";
-    case FillRule::TopLeft:
-        return "top-left";
-    case FillRule::OffScreenPoint:
-        return "off-screen-point";
-    case FillRule::Open:
-        return "open";
-    }
-    return {};
+    static constexpr std::array<std::string_view, allFillRules.size()> names
+        = {"closed", "half-open-column", "top-left", "off-screen-point", "open"};
+    return names[std::size_t(rule)];
 }
 
 std::string_view nameOf(Arithmetic arithmetic)
 {
-    switch (arithmetic) {
-    case Arithmetic::Exact:
-        return "exact";
-    case Arithmetic::Float32:
-        return "float32";
-    case Arithmetic::Float64:
-        return "float64";
-    case Arithmetic::Fixed16:
-        return "fixed16.16";
-    case Arithmetic::Fixed32:
-        return "fixed32.32";
-    }
-    return {};
+    static constexpr std::array<std::string_view, allArithmetics.size()> names
+        = {"exact", "float32", "float64", "fixed16.16", "fixed32.32"};
+    return names[std::size_t(arithmetic)];
 }
 
 std::string_view nameOf(ByteRounding rounding)

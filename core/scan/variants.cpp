@@ -5,29 +5,13 @@ namespace pixelplumb {
 
 std::string_view nameOf(Variant variant)
 {
-    switch (variant) {
-    case Variant::RoundedBox:
-        return "rounded-box";
-    case Variant::StayAtZero:
-        return "stay-at-zero";
-    case Variant::OneStepShort:
-        return "one-step-short";
-    case Variant::NoColourPreStep:
-        return "no-colour-pre-step";
-    case Variant::NoEdgePreStep:
-        return "no-edge-pre-step";
-    case Variant::DivisorMinusOne:
-        return "divisor-minus-one";
-    case Variant::DivisorPlusOne:
-        return "divisor-plus-one";
-    case Variant::UnsortedColours:
-        return "unsorted-colours";
-    case Variant::TwiceT:
-        return "twice-t";
-    case Variant::FiveT:
-        return "five-t";
-    }
-    return {};
+    static constexpr std::array<std::string_view, allVariants.size()> names
+        = {"rounded-box",      "stay-at-zero",
+           "one-step-short",   "no-colour-pre-step",
+           "no-edge-pre-step", "divisor-minus-one",
+           "divisor-plus-one", "unsorted-colours",
+           "twice-t",          "five-t"};
+    return names[std::size_t(variant)];
 }
 
 std::optional<Variant> variantNamed(std::string_view name)
@@ -200,29 +184,10 @@ const VariantWords &wordsOf(Variant variant, SpanAxis axis)
     const VariantWords *inRows = axis == SpanAxis::Row ? wordsInRows(variant) : nullptr;
     if (inRows)
         return *inRows;
-    switch (variant) {
-    case Variant::RoundedBox:
-        return roundedBox;
-    case Variant::StayAtZero:
-        return stayAtZero;
-    case Variant::OneStepShort:
-        return oneStepShort;
-    case Variant::NoColourPreStep:
-        return noColourPreStep;
-    case Variant::NoEdgePreStep:
-        return noEdgePreStep;
-    case Variant::DivisorMinusOne:
-        return divisorMinusOne;
-    case Variant::DivisorPlusOne:
-        return divisorPlusOne;
-    case Variant::UnsortedColours:
-        return unsortedColours;
-    case Variant::TwiceT:
-        return twiceT;
-    case Variant::FiveT:
-        return fiveT;
-    }
-    return roundedBox;
+    static constexpr std::array<const VariantWords *, allVariants.size()> words
+        = {&roundedBox,      &stayAtZero,     &oneStepShort,    &noColourPreStep, &noEdgePreStep,
+           &divisorMinusOne, &divisorPlusOne, &unsortedColours, &twiceT,          &fiveT};
+    return *words[std::size_t(variant)];
 }
 
 } // namespace pixelplumb
