@@ -7,6 +7,8 @@
 #include "core/scan/choicenames.h"
 
 #include <algorithm>
+#include <array>
+#include <utility>
 
 namespace pixelplumb {
 
@@ -18,48 +20,25 @@ QByteArray jsonName(std::string_view name) { return jsonString(nameText(name)); 
 
 QString nameOf(TraceLevel level)
 {
-    switch (level) {
-    case TraceLevel::SetUp:
-        return u"setup"_s;
-    case TraceLevel::Column:
-        return u"column"_s;
-    case TraceLevel::Stage:
-        return u"stage"_s;
-    case TraceLevel::Pixel:
-        break;
-    }
-    return u"pixel"_s;
+    static constexpr std::array names = {"setup", "column", "pixel", "stage"};
+    return QLatin1String(names[std::size_t(level)]);
 }
 
-std::vector<NumberDescription> descriptionsOf(const TracedScene &traced, TraceLevel level)
-{
-    switch (level) {
-    case TraceLevel::SetUp:
-        return traced.trace->numbers().setUp;
-    case TraceLevel::Column:
-        return spanHeadings(traced);
-    case TraceLevel::Stage:
-        return {};
-    case TraceLevel::Pixel:
-        break;
-    }
-    return traced.trace->numbers().sample;
-}
-
-/// How the run computed each described number.
-QStringList formulasOf(const TracedScene &traced, const TraceExportOptions &options)
+/// The numbers that a level's table describes, and how the run computed each.
+std::pair<std::vector<NumberDescription>, QStringList> describedNumbers(
+    const TracedScene &traced, const TraceExportOptions &options)
 {
     switch (options.level) {
     case TraceLevel::SetUp:
-        return setUpFormulas(traced);
+        return {traced.trace->numbers().setUp, setUpFormulas(traced)};
     case TraceLevel::Column:
-        return spanFormulas(traced, options.progress);
-    case TraceLevel::Stage:
-        return {};
+        return {spanHeadings(traced), spanFormulas(traced, options.progress)};
     case TraceLevel::Pixel:
+        return {traced.trace->numbers().sample, sampleFormulas(traced, options.progress)};
+    case TraceLevel::Stage:
         break;
     }
-    return sampleFormulas(traced, options.progress);
+    return {};
 }
 
 /// A kernel sees pixel (x, y) as the point (x, y), wherever the scene puts the pixel's centre.
@@ -90,8 +69,7 @@ std::vector<PreambleMember> preambleOf(const TracedScene &traced, const TraceExp
 {
     const ScanSettings &settings = traced.trace->settings();
     QByteArray columns = "[";
-    const std::vector<NumberDescription> numbers = descriptionsOf(traced, options.level);
-    const QStringList formulas = formulasOf(traced, options);
+    const auto [numbers, formulas] = describedNumbers(traced, options);
     for (std::size_t i = 0; i < numbers.size(); ++i) {
         const NumberDescription &number = numbers[i];
         if (!isWritten(number, options.columns))

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/runs/tracedscene.h"
 
+#include "core/frame/keptrows.h"
 #include "core/frame/pixelrows.h"
 #include "core/frame/writtenframe.h"
 #include "core/runs/tracemarks.h"
@@ -11,15 +12,6 @@ namespace pixelplumb {
 
 namespace {
 
-/// The rows [firstRow, firstRow + height) of a frame.
-FrameView bandOf(FrameView frame, std::int32_t firstRow, std::int32_t height)
-{
-    frame.base += std::ptrdiff_t(firstRow - frame.firstRow) * frame.stride;
-    frame.firstRow = firstRow;
-    frame.height = height;
-    return frame;
-}
-
 constexpr std::int32_t rowsBetweenProgress = 64;
 
 /// Calls `drawBand` for one band of the frame after another while the listener allows it.
@@ -29,8 +21,8 @@ bool drawByBands(FrameView frame, const ProgressListener &listener, const DrawBa
     for (std::int32_t done = 0; done < frame.height; done += rowsBetweenProgress) {
         if (!goesOn(listener, {JobPhase::Judging, done, frame.height}))
             return false;
-        drawBand(bandOf(frame, frame.firstRow + done,
-                        std::min(rowsBetweenProgress, frame.height - done)));
+        const std::int64_t first = frame.firstRow + done;
+        drawBand(rowsOf(frame, first, std::min(first + rowsBetweenProgress, frame.endRow())));
     }
     return true;
 }
@@ -47,12 +39,8 @@ DifferenceMap differencesBetween(const FrameBuffer &drawn, const CoverageMask &d
         for (std::int64_t x = drawnView.firstColumn; x < drawnView.endColumn(); ++x) {
             const bool written = drawnCoverage.covers(x, y);
             const bool covered = qAlpha(*trueView.at(x, y)) != 0;
-            if (covered && !written)
-                differences.set(x, y, Difference::Missing);
-            else if (written && !covered)
-                differences.set(x, y, Difference::Extra);
-            else if (written && *drawnView.at(x, y) != *trueView.at(x, y))
-                differences.set(x, y, Difference::Colour);
+            if (written != covered || (written && *drawnView.at(x, y) != *trueView.at(x, y)))
+                differences.set(x, y, differenceOf(written, covered));
         }
     }
     return differences;
