@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/scene/fields/primitivefields.h"
 #include "core/scene/files/fileaccess.h"
 #include "tests/support/scenes/scenetext.h"
+#include "tests/support/sourcetree.h"
 #include "tests/support/testprogram.h"
 
 #include <QTemporaryDir>
@@ -22,6 +24,30 @@ QByteArray shapeScene(const QByteArray &primitives)
     return QByteArray(text).replace('\'', '"');
 }
 
+/// The keys of the lists by which scenes are read and written, some of them twice.
+QStringList allKeys()
+{
+    QStringList keys = fieldNames<Scene>() + fieldNames<Appearance>() + fieldNames<FrameSpec>()
+        + fieldNames<Motion>() + fieldNames<Material>() + fieldNames<HiddenTriangle>();
+    for (const Projection projection : allProjections)
+        keys += fieldNames(Camera{projection});
+    for (const Light::Kind kind : {Light::Kind::Directional, Light::Kind::Positional})
+        keys += fieldNames(Light{kind});
+    for (int kind = int(PrimitiveKind::Point); kind <= int(PrimitiveKind::Text); ++kind) {
+        Shape shape;
+        shape.kind = PrimitiveKind(kind);
+        shape.vertices.resize(1);
+        keys += fieldNames(shape) + fieldNames(Round{shape.kind});
+    }
+    for (const SolidKind kind : allSolidKinds) {
+        Solid solid;
+        solid.kind = kind;
+        solid.corners.resize(16);
+        keys += fieldNames(solid);
+    }
+    return keys;
+}
+
 } // namespace
 
 /// Scenes written and read back, and their files.
@@ -29,6 +55,14 @@ class TestSceneFile : public QObject {
     Q_OBJECT
 
 private slots:
+    void theManualNamesEveryKey()
+    {
+        const QString manual = textInTree(u"resources/scene-file.md"_s);
+        for (const QString &key : allKeys())
+            QVERIFY2(manual.contains(u'`' + key + u'`') || manual.contains(u'"' + key + u'"'),
+                     qPrintable(key));
+    }
+
     void refusesEveryTextThatIsCutShort()
     {
         const QByteArray text = writeScene(randomScene(4));
