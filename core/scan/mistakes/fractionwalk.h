@@ -4,6 +4,7 @@
 #include "core/number/fraction.h"
 #include "core/number/mixednumber.h"
 #include "core/scan/roundedarithmetic.h"
+#include "core/scan/scanbugs.h"
 
 #include <type_traits>
 
@@ -50,6 +51,45 @@ std::int64_t wholeLevel(const Value &value, ByteRounding rounding)
         return RoundedArithmetic<Value>::level(value, rounding);
 }
 
+/// (int)quotient.
+template <class Value>
+Value cast(const Value &quotient)
+{
+    return NumberTraits<Value>::fromInteger(quotient < NumberTraits<Value>::fromInteger(0)
+                                                ? RoundedArithmetic<Value>::ceil(quotient)
+                                                : RoundedArithmetic<Value>::floor(quotient));
+}
+
+/// What is kept of a number.
+template <class Value>
+Value leftOf(const Value &value, Truncation kept)
+{
+    if (kept == Truncation::Down)
+        return NumberTraits<Value>::fromInteger(RoundedArithmetic<Value>::floor(value));
+    if (kept == Truncation::Nearest)
+        return NumberTraits<Value>::fromInteger(wholeLevel(value, ByteRounding::Nearest));
+    return kept == Truncation::TowardZero ? cast(value) : value;
+}
+
+/// The steps of a value of which a whole number is kept at each, in integers: each adds the same,
+/// but toward 0 a step that is no whole number adds one more below 0.
+class WholeSteps {
+public:
+    WholeSteps(const Fraction &step, Truncation kept)
+        : m_step(kept == Truncation::Nearest ? step.nearest() : step.floor())
+        , m_moreBelowZero(kept == Truncation::TowardZero && !(step == Fraction(m_step)))
+    {
+    }
+    Int128 after(Int128 whole) const
+    {
+        const Int128 next = whole + m_step;
+        return next < 0 ? next + m_moreBelowZero : next;
+    }
+
+private:
+    std::int64_t m_step, m_moreBelowZero;
+};
+
 /// Whole levels at samples one after another, ⌊level⌋, ⌊level + step⌋ …: quotient and remainder are
 /// stepped separately, without a division at each sample.
 template <class Store>
@@ -86,6 +126,20 @@ void storeFloors(const Fraction &level, const Fraction &step, std::size_t sample
     const BigInteger over = lcm(denominator(at), denominator(by));
     add(BigInteger(numerator(at) * (over / denominator(at))),
         BigInteger(numerator(by) * (over / denominator(by))), over);
+}
+
+/// What is kept of values one after another, as whole numbers; not all of them.
+template <class Store>
+void storeWhole(const Fraction &value, const Fraction &step, Truncation kept, std::size_t samples,
+                const Store &store)
+{
+    storeFloors(kept == Truncation::Nearest ? value + Fraction(1, 2) : value, step, samples, store);
+    if (kept != Truncation::TowardZero)
+        return;
+    storeFloors(-value, -step, samples, [&](std::size_t i, std::int64_t whole) {
+        if (whole >= 0)
+            store(i, -whole);
+    });
 }
 
 } // namespace pixelplumb

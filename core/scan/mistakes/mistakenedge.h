@@ -8,26 +8,6 @@
 
 namespace pixelplumb {
 
-/// (int)quotient.
-template <class Value>
-Value cast(const Value &quotient)
-{
-    return NumberTraits<Value>::fromInteger(quotient < NumberTraits<Value>::fromInteger(0)
-                                                ? RoundedArithmetic<Value>::ceil(quotient)
-                                                : RoundedArithmetic<Value>::floor(quotient));
-}
-
-/// What is kept of a number.
-template <class Value>
-Value leftOf(const Value &value, Truncation kept)
-{
-    if (kept == Truncation::Down)
-        return NumberTraits<Value>::fromInteger(RoundedArithmetic<Value>::floor(value));
-    if (kept == Truncation::Nearest)
-        return NumberTraits<Value>::fromInteger(wholeLevel(value, ByteRounding::Nearest));
-    return kept == Truncation::TowardZero ? cast(value) : value;
-}
-
 /// Where an edge meets the current span, in the numbers of the program: the scan's own steps, in
 /// numbers that round or in fractions.
 template <class Value>

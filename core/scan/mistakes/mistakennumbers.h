@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/scan/mistakes/mistakenedge.h"
+#include "core/scan/mistakes/mistakenlevels.h"
 
 #include <optional>
 
@@ -73,7 +74,9 @@ struct MistakenNumbers {
                 ramp.level = leftOf(ramp.level, bugs.levels);
             if (bugs.spanStepping == Stepping::BeforeDrawing)
                 stepBy(ramp.level, ramp.step);
-            behind.levels[i] = carriedOn(stored(ramp, reached, span, program, levels, i));
+            const Value last = storeLevels(ramp, reached, span, program, levels, i);
+            if (goesOn)
+                behind.levels[i] = carriedOn(last);
         }
         if (goesOn)
             carried = behind;
@@ -88,10 +91,7 @@ private:
         return level;
     }
 
-    /// A level along a span: at one sample, its step, its possible error, and at the bound.
-    struct Ramp {
-        Value level, step, error, from;
-    };
+    using Ramp = LevelRamp<Value>;
 
     static Value levelAt(const Edge &edge, std::size_t channel, Truncation kept)
     {
@@ -144,65 +144,6 @@ private:
         const bool isFromUpper = bugs.spanColours == SpanColours::FromUpperBound
             || bugs.spanColours == SpanColours::UpperAlone;
         return isFromUpper ? atUpper : atLower;
-    }
-
-    /// Returns the level just after the last sample or, where that is not needed, after the last
-    /// one drawn.
-    static Value stored(const Ramp &ramp, std::int64_t reached, const WalkedSpan &span,
-                        const WalkedProgram &program, SpanLevels<Value> &levels,
-                        std::size_t channel)
-    {
-        const ScanBugs &bugs = program.bugs();
-        const bool goesOn = bugs.spanStart != SpanStart::AtBound;
-        const bool isOfSum = isOfAdded(bugs.spanStoring) && bugs.levels != Truncation::All;
-        const Truncation kept
-            = bugs.spanStoring == Storing::FirstAlone || isOfSum ? Truncation::All : bugs.levels;
-        Value level = ramp.level;
-        std::int64_t place = reached;
-        if (kept == Truncation::All && !goesOn && reached != span.firstDrawn) {
-            level = level + Traits::fromInteger(span.firstDrawn - reached) * ramp.step;
-            place = span.firstDrawn;
-        }
-        levels.first[channel] = level;
-        levels.step[channel] = ramp.step;
-        if constexpr (std::is_same_v<Value, Fraction>) {
-            if (kept == Truncation::All && !goesOn && !isOfSum) {
-                storeExactly(ramp, level, program.rounding(), levels, channel);
-                return level;
-            }
-        }
-        for (; place < (goesOn ? span.end : span.endDrawn); ++place) {
-            if (place == span.firstDrawn)
-                levels.first[channel] = level;
-            if (place >= span.firstDrawn && place < span.endDrawn) {
-                const auto sample = std::size_t(place - span.firstDrawn);
-                const Value drawn
-                    = isOfSum ? ramp.from + leftOf(level - ramp.from, bugs.levels) : level;
-                levels.whole[sample][channel] = wholeLevel(
-                    std::is_same_v<Value, double> ? drawn + ramp.error : drawn, program.rounding());
-                if (levels.hasNumbers)
-                    levels.own[sample][channel] = drawn;
-            }
-            stepBy(level, ramp.step);
-            if (kept != Truncation::All)
-                level = leftOf(level, kept);
-        }
-        return level;
-    }
-
-    static void storeExactly(const Ramp &ramp, const Value &level, ByteRounding rounding,
-                             SpanLevels<Value> &levels, std::size_t channel)
-    {
-        const Value half(1, 2);
-        storeFloors(rounding == ByteRounding::Nearest ? level + half : level, ramp.step,
-                    levels.whole.size(), [&](std::size_t sample, std::int64_t whole) {
-                        levels.whole[sample][channel] = whole;
-                    });
-        Value own = level;
-        for (auto &sample : levels.own) {
-            sample[channel] = own;
-            own = own + ramp.step;
-        }
     }
 
     static Value heightOf(const Bounds &bounds, const WalkedSpan &span, SpanDivisor divisor)
