@@ -35,9 +35,6 @@ public:
                               panel->parentWidget()))
     {
         setObjectName(u"predictVeil"_s);
-        QPalette readable = palette(); // though the panel is disabled
-        readable.setBrush(QPalette::Disabled, QPalette::WindowText, readable.windowText());
-        setPalette(readable);
         setAlignment(Qt::AlignCenter);
         setWordWrap(true);
         setMargin(16);
@@ -54,7 +51,7 @@ protected:
     bool eventFilter(QObject *watched, QEvent *event) override
     {
         if (event->type() == QEvent::Resize || event->type() == QEvent::Move
-            || event->type() == QEvent::ChildAdded)
+            || event->type() == QEvent::ChildAdded || event->type() == QEvent::PaletteChange)
             cover();
         return QLabel::eventFilter(watched, event);
     }
@@ -70,6 +67,10 @@ private:
 
     void cover()
     {
+        QPalette readable = m_panel->palette(); // though the panel is disabled
+        readable.setBrush(QPalette::Disabled, QPalette::WindowText,
+                          readable.brush(QPalette::Active, QPalette::WindowText));
+        setPalette(readable);
         setGeometry(m_panel->rect());
         raise();
         const int below = 2 * fontMetrics().lineSpacing(); // the words, which may be two lines

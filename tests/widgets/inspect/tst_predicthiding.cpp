@@ -324,7 +324,10 @@ private slots:
              {"submissionDock", "motionDock", "hardCasesDock", "compareDock", "precisionDock"}) {
             QVERIFY2(!dockNamed(dock)->widget()->isEnabled(), dock);
             dockNamed(dock)->raise();
-            QVERIFY2(named<QWidget>(*dockNamed(dock), "predictVeil")->isVisible(), dock);
+            const auto *veil = named<QWidget>(*dockNamed(dock), "predictVeil");
+            QVERIFY2(veil->isVisible(), dock);
+            QCOMPARE(veil->palette().color(veil->foregroundRole()), // not pale
+                     m_window->palette().color(QPalette::Active, QPalette::WindowText));
         }
         QTest::mouseClick(named<QPushButton>(*dockNamed("precisionDock"), "predictFinish"),
                           Qt::LeftButton); // lies over the panel in front
