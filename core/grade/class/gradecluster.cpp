@@ -71,8 +71,7 @@ public:
             return ungradedText(*submission.gradingError);
         if (submission.verdict == GradeVerdict::Nothing)
             return faultTitle(submission);
-        const QStringList lost = submission.lostInvariants();
-        if (!lost.isEmpty() && submission.verdict != GradeVerdict::Wrong)
+        if (!submission.lostInvariants().isEmpty() && submission.verdict != GradeVerdict::Wrong)
             return verdictText(submission);
         if (submission.verdict == GradeVerdict::Right)
             return submission.lacksColours() ? rasterText(submission) : verdictText(submission);
@@ -135,13 +134,13 @@ QString verdictText(const GradedSubmission &submission)
     if (submission.gradingError)
         return QStringLiteral(QT_TRANSLATE_NOOP("core", "cannot be graded"));
     const QString name = nameOf(submission.verdict);
-    const QStringList lost = submission.lostInvariants();
+    const QString lost = submission.lostInvariants();
     const bool isOfPictures = submission.verdict != GradeVerdict::Wrong && !lost.isEmpty()
         && !submission.lacksColours();
     const QString told = submission.lacksColours() ? name + u" in coverage"_s
         : isOfPictures                             ? u"pictures "_s + name
                                                    : name;
-    return (QStringList(told) + lost).join(u", "_s);
+    return lost.isEmpty() ? told : u"%1, %2"_s.arg(told, lost);
 }
 
 QString rasterText(const GradedSubmission &submission)

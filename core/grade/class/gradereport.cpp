@@ -63,6 +63,17 @@ void appendNotes(const GradedSubmission &submission, QStringList &lines)
     }
 }
 
+/// "a, or b, or 3 others"
+QString firstOf(const QStringList &sets)
+{
+    constexpr qsizetype mostTold = 5;
+    const qsizetype others = sets.size() - mostTold;
+    QStringList told = sets.first(std::min(sets.size(), mostTold));
+    if (others > 0)
+        told += others == 1 ? u"another"_s : u"%1 others"_s.arg(others);
+    return told.join(u", or "_s);
+}
+
 void appendFull(const GradedSubmission &submission, QStringList &lines)
 {
     if (submission.searchError)
@@ -94,8 +105,8 @@ void appendFull(const GradedSubmission &submission, QStringList &lines)
         lines += text;
     for (const GradedScene &scene : submission.scenes) {
         if (scene.explanations)
-            lines += u"%1 alone is explained by %2"_s.arg(scene.scene,
-                                                          scene.explanations->join(u", or "_s));
+            lines
+                += u"%1 alone is explained by %2"_s.arg(scene.scene, firstOf(*scene.explanations));
         for (const QString &cause : scene.causes)
             lines += u"%1: most differences are gone with this done to the whole "
                      "picture: %2"_s.arg(scene.scene, cause);
@@ -170,7 +181,7 @@ bool GradedSubmission::lacksColours() const
            });
 }
 
-QStringList GradedSubmission::lostInvariants() const
+QString GradedSubmission::lostInvariants() const
 {
     QStringList lost;
     for (const GradedScene &scene : scenes) {
@@ -185,7 +196,7 @@ QStringList GradedSubmission::lostInvariants() const
             lost += u"breaks "_s + broken;
     }
     lost.removeDuplicates();
-    return lost;
+    return lost.join(u", "_s);
 }
 
 std::optional<bool> isSandboxed(const GradedSubmission &submission)

@@ -150,7 +150,7 @@ struct GradedSubmission {
     /// has none.
     bool lacksColours() const;
     /// For which invariants points are lost: "breaks order", each once.
-    QStringList lostInvariants() const;
+    QString lostInvariants() const;
     /// Whether the candidates explain the submission's pictures.
     bool isExplained() const { return !candidates.empty() && candidates.front().distance == 0; }
 

@@ -14,7 +14,6 @@ namespace {
 // "Output format".
 QJsonObject gradescopeJson(const GradedSubmission &submission, const Assignment &assignment)
 {
-    const QString lost = submission.lostInvariants().join(u", "_s);
     QJsonArray tests;
     for (const GradedScene &scene : submission.scenes) {
         for (const GradedCheck &check : scene.checks)
@@ -25,7 +24,7 @@ QJsonObject gradescopeJson(const GradedSubmission &submission, const Assignment 
                                      {u"output"_s,
                                       check.isPassed || check.check != Check::Invariants
                                           ? scene.fault
-                                          : scene.fault + lost},
+                                          : scene.fault + submission.lostInvariants()},
                                      {u"visibility"_s, u"visible"_s}});
     }
     tests.append(QJsonObject{{u"name"_s, u"For the assistant"_s},

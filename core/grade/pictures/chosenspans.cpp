@@ -7,12 +7,17 @@ namespace pixelplumb {
 
 namespace {
 
-/// Where the i-th pixel of the span at that place is in the picture of chosen spans. Columns have
-/// the picture's lines, rows its columns.
-std::size_t indexIn(const Picture &chosenOnes, const ChosenSpans &chosen, std::size_t place, int i)
+/// How many pixels each span of the frame has: columns have the picture's lines, rows its columns.
+int lengthOf(const ChosenSpans &chosen, const FrameSpec &frame)
 {
-    return chosen.areColumns() ? chosenOnes.placeOf(int(place), i)
-                               : chosenOnes.placeOf(i, int(place));
+    return chosen.areColumns() ? frame.height : frame.width;
+}
+
+/// Where the i-th pixel of the span at that place is in the picture of chosen spans.
+std::size_t indexIn(const ChosenSpans &chosen, const FrameSpec &frame, std::size_t place, int i)
+{
+    return chosen.areColumns() ? std::size_t(i) * chosen.spans().size() + place
+                               : place * std::size_t(frame.width) + std::size_t(i);
 }
 
 void setPixel(Picture &to, std::size_t index, const Picture &from, std::size_t place)
@@ -58,14 +63,13 @@ Picture emptyPicture(const FrameSpec &frame, const ChosenSpans &chosen)
 void forEachPlace(const ChosenSpans &chosen, const FrameSpec &frame,
                   const std::function<void(int x, int line, std::size_t place)> &visit)
 {
-    const Picture part = emptyPicture(frame, chosen);
     for (std::size_t place = 0; place < chosen.spans().size(); ++place) {
         const std::int64_t span = chosen.spans()[place];
         const int along
             = chosen.areColumns() ? int(span - frame.firstColumn) : pictureLine(frame, span);
-        for (int i = 0; i < (chosen.areColumns() ? part.height : part.width); ++i)
+        for (int i = 0; i < lengthOf(chosen, frame); ++i)
             visit(chosen.areColumns() ? along : i, chosen.areColumns() ? i : along,
-                  indexIn(part, chosen, place, i));
+                  indexIn(chosen, frame, place, i));
     }
 }
 
@@ -95,7 +99,7 @@ Picture pictureOf(const Scene &scene, const ChosenSpans &chosen)
         part.frame = partOf(scene.frame, chosen.axis(), chosen.spans()[place]);
         const Picture drawn = pictureOf(part);
         for (std::size_t i = 0; i < drawn.size(); ++i)
-            setPixel(picture, indexIn(picture, chosen, place, int(i)), drawn, i);
+            setPixel(picture, indexIn(chosen, scene.frame, place, int(i)), drawn, i);
     }
     return picture;
 }

@@ -29,17 +29,8 @@ public:
                 m_hasOthers[i] = true;
         }
     }
-    /// A sample's levels, which are told where its run has no such numbers, too.
-    void addLevels(const std::vector<NumberDescription> &numbers, const SampleRecord &sample)
-    {
-        for (std::size_t i = 0; i < numbers.size(); ++i) {
-            const auto channel = std::ranges::find(channelLetters, numbers[i].id);
-            const bool hasCell = i < sample.cells.size() && !sample.cells[i].isNone();
-            if (channel != channelLetters.end() && !hasCell)
-                m_hasOthers[i] = m_hasOthers[i]
-                    || !sample.colour[std::size_t(channel - channelLetters.begin())].isNone();
-        }
-    }
+    /// Of a value that no formula gives.
+    void addUntold(std::size_t number) { m_hasOthers[number] = true; }
     QStringList texts() const
     {
         QStringList texts;
@@ -55,6 +46,19 @@ private:
     std::vector<QStringList> m_found; ///< by number
     std::vector<bool> m_hasOthers; ///< values that a step has without a formula
 };
+
+/// The channel of each number that is a level.
+std::vector<std::pair<std::size_t, std::size_t>> levelsAmong(
+    const std::vector<NumberDescription> &numbers)
+{
+    std::vector<std::pair<std::size_t, std::size_t>> levels; // number, channel
+    for (std::size_t i = 0; i < numbers.size(); ++i) {
+        const auto channel = std::ranges::find(channelLetters, numbers[i].id);
+        if (channel != channelLetters.end())
+            levels.emplace_back(i, std::size_t(channel - channelLetters.begin()));
+    }
+    return levels;
+}
 
 /// Asks before any of them is written.
 bool goesOnBefore(const ProgressListener &progress, std::size_t spans)
@@ -90,6 +94,7 @@ QStringList sampleFormulas(const TracedScene &traced, const ProgressListener &pr
 {
     const ScanTrace &trace = *traced.trace;
     FoundFormulas found(trace.numbers().sample.size());
+    const auto levels = levelsAmong(trace.numbers().sample);
     for (std::size_t span = 0;
          span < trace.spanCount() && goesOnBefore(progress, trace.spanCount()); ++span) {
         const std::vector<SampleRecord> samples = trace.samples(span);
@@ -98,7 +103,13 @@ QStringList sampleFormulas(const TracedScene &traced, const ProgressListener &pr
             = std::min(trace.endSampleOf(span) - trace.firstSampleOf(span), samples.size());
         for (std::size_t place = 0; place < visited; ++place) {
             found.add(numbers[place], samples[place].cells, startOfSample(place));
-            found.addLevels(trace.numbers().sample, samples[place]);
+            // Levels are told where a run has no such numbers, too.
+            for (const auto &[number, channel] : levels) {
+                const auto &cells = samples[place].cells;
+                const bool hasCell = number < cells.size() && !cells[number].isNone();
+                if (!hasCell && !samples[place].colour[channel].isNone())
+                    found.addUntold(number);
+            }
         }
     }
     return found.texts();
