@@ -200,6 +200,26 @@ private slots:
         QVERIFY(differing > 0);
     }
 
+    /// The third weight of a vertex is never below 0, so that no right program loses all of an
+    /// edge.
+    void anEdgeThatIsWhollyMissingIsWrong()
+    {
+        Scene scene = sceneOf(
+            {triangleOf({latticePixel(11, 12), latticePixel(58, 7), latticePixel(58, 40)})});
+        scene.frame.width = 64;
+        scene.frame.height = 48;
+        Picture found = pictureOf(scene);
+        for (int y = 7; y <= 40; ++y) {
+            const std::size_t place = found.placeOf(58, pictureLine(scene.frame, y));
+            found.covered[place] = 0;
+            found.colours[place] = scene.frame.background;
+        }
+        QVERIFY(wrongIn(scene, found, {}) >= 2);
+        const Diagnosis diagnosis = *diagnose(std::vector{Submission{scene, found}});
+        QCOMPARE(nameOf(diagnosis.verdict), u"wrong"_s);
+        QVERIFY(diagnosis.isExplained());
+    }
+
     /// Weights that sum to 0.9999 make 224 into 223.
     void aHandfulOfLevelsProvesNoDefect()
     {
