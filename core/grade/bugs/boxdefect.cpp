@@ -3,6 +3,7 @@
 #include "core/grade/scan/keptsamples.h"
 
 #include <algorithm>
+#include <map>
 
 namespace pixelplumb {
 
@@ -22,6 +23,32 @@ void fillBox(TriangleRuns &triangle)
     for (std::int64_t row = std::max(box.firstY, triangle.firstSpan);
          row < std::min(box.endY, triangle.endSpan); ++row)
         triangle.runs.push_back({row, box.firstX, box.endX});
+}
+
+/// Draws what lies outside in the box, and not what lies inside, of a triangle whose vertices turn
+/// so: its doubled area has this sign.
+void invert(TriangleRuns &triangle, int turn)
+{
+    const Triangle asGiven = exchanged(triangle.triangle);
+    const Int128 area = doubledArea(asGiven);
+    if (turn > 0 ? area <= 0 : area >= 0)
+        return;
+    std::map<std::int64_t, std::vector<SampleRun>> inside; // by row
+    for (const SampleRun &run : triangle.runs)
+        inside[run.span].push_back(run);
+    fillBox(triangle);
+    std::vector<SampleRun> outside;
+    for (const SampleRun &row : triangle.runs) {
+        std::int64_t next = row.first;
+        for (const SampleRun &run : inside[row.span]) {
+            if (run.first > next)
+                outside.push_back({row.span, next, run.first});
+            next = std::max(next, run.end);
+        }
+        if (next < row.end)
+            outside.push_back({row.span, next, row.end});
+    }
+    triangle.runs = std::move(outside);
 }
 
 /// Whether a sample lies in the box of the edge from that vertex to the next.
@@ -69,6 +96,17 @@ std::vector<Defect> boxDefects()
     const KeepsSample firstRow = [](const T &t, const S &s) { return s.span != t.box.firstY; };
     const KeepsSample firstColumn = [](const T &t, const S &s) { return s.place != t.box.firstX; };
     addOfBox("box-filled", "The whole bounding box is drawn: no sample is tested.", {fillBox});
+    constexpr const char *windingQuestion
+        = "Are all triangles there, whichever way their vertices turn?";
+    add(u"clockwise-inverted"_s, windingQuestion,
+        u"Of triangles whose vertices turn clockwise, taking y upward, what lies outside in the "
+        u"box "
+        "is drawn, and what lies inside is not."_s,
+        {[](TriangleRuns &triangle) { invert(triangle, -1); }});
+    add(u"counter-clockwise-inverted"_s, windingQuestion,
+        u"Of triangles whose vertices turn counter-clockwise, taking y upward, what lies outside "
+        "in the box is drawn, and what lies inside is not."_s,
+        {[](TriangleRuns &triangle) { invert(triangle, 1); }});
     addThatKeeps("box-last-row-missing", "The box' last row is left out: < in place of ≤.",
                  lastRow);
     addThatKeeps("box-last-column-missing", "The box' last column is left out: < in place of ≤.",

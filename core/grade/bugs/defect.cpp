@@ -2,12 +2,14 @@
 #include "core/grade/bugs/defect.h"
 
 #include "core/grade/bugs/leveldefect.h"
-#include "core/grade/bugs/linechoice.h"
+#include "core/grade/bugs/linedefect.h"
 #include "core/grade/bugs/scenedefect.h"
 #include "core/grade/bugs/shapedefect.h"
 #include "core/grade/bugs/spandefect.h"
 #include "core/grade/bugs/walkdefect.h"
 #include "core/grade/pictures/picturecause.h"
+#include "core/grade/rounding/linechoice.h"
+#include "core/grade/scan/programline.h"
 #include "core/grade/scan/redrawing.h"
 #include "core/scan/choicenames.h"
 
@@ -181,6 +183,24 @@ Defect redrawnBy(const Redrawing &redrawing, Defect words)
     return words;
 }
 
+Defect drawnLinesBy(const LineBugs &bugs, Defect words)
+{
+    words.redraw = [bugs](const Scene &scene) { return drawnBy(bugs, scene); };
+    words.lines = std::make_shared<const LineBugs>(bugs);
+    return words;
+}
+
+std::optional<Defect> drawnTogether(const Defect &one, const Defect &other)
+{
+    if (one.lines && other.lines) {
+        const auto both = together(*one.lines, *other.lines);
+        return both ? std::optional(drawnLinesBy(*both, one)) : std::nullopt;
+    }
+    const auto both = one.redrawing && other.redrawing ? together(*one.redrawing, *other.redrawing)
+                                                       : std::nullopt;
+    return both ? std::optional(redrawnBy(*both, one)) : std::nullopt;
+}
+
 bool canBeTogether(const Defect &one, const Defect &other)
 {
     const bool isOneChoice = !one.choice.isEmpty() && one.choice == other.choice;
@@ -188,9 +208,12 @@ bool canBeTogether(const Defect &one, const Defect &other)
         return false;
     const bool areRedrawings
         = one.stage() == DefectStage::Drawing && other.stage() == DefectStage::Drawing;
-    return !areRedrawings
-        || (one.redrawing && other.redrawing
-            && together(*one.redrawing, *other.redrawing).has_value());
+    if (!areRedrawings)
+        return true;
+    if (one.lines && other.lines)
+        return together(*one.lines, *other.lines).has_value();
+    return one.redrawing && other.redrawing
+        && together(*one.redrawing, *other.redrawing).has_value();
 }
 
 std::vector<Defect> defectsFor(const Scene &scene)

@@ -8,11 +8,13 @@
 
 #include <functional>
 #include <memory>
+#include <optional>
 #include <span>
 #include <vector>
 
 namespace pixelplumb {
 
+struct LineBugs;
 struct Redrawing;
 
 /// When a defect takes effect; of two the one with the earlier stage comes first.
@@ -53,6 +55,8 @@ struct Defect {
     std::function<PictureRange(const Scene &scene, Arithmetic arithmetic)> redrawRange = {};
     /// The change of each triangle; two defects that have one can be combined.
     std::shared_ptr<const Redrawing> redrawing = {};
+    /// The bugs of the lines' program that draws so; two defects that have some can be combined.
+    std::shared_ptr<const LineBugs> lines = {};
     bool leavesOut = false; ///< it only draws less of a scene; what it draws is right
     bool isRightAlone = false; ///< alone it is no mistake, so it is tried only with another
     bool movesPixels = false; ///< it takes pixels of the finished picture from other places
@@ -67,6 +71,12 @@ struct Defect {
 
 /// A defect that is a redrawing of triangles.
 Defect redrawnBy(const Redrawing &redrawing, Defect words);
+
+/// A defect that is a program of lines.
+Defect drawnLinesBy(const LineBugs &bugs, Defect words);
+
+/// Both, drawn by one program; none where they change the same decision.
+std::optional<Defect> drawnTogether(const Defect &one, const Defect &other);
 
 /// Whether a program can have both: not two of one choice, nor two that change the same decision.
 bool canBeTogether(const Defect &one, const Defect &other);

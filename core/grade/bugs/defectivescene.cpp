@@ -61,11 +61,8 @@ std::optional<Defect> redrawingAmong(std::span<const Defect> defects)
             among = defect;
             continue;
         }
-        const bool areOfTriangles = among->redrawing && defect.redrawing;
-        const auto both
-            = areOfTriangles ? together(*among->redrawing, *defect.redrawing) : std::nullopt;
-        if (both)
-            among = redrawnBy(*both, *std::move(among));
+        if (auto both = drawnTogether(*among, defect))
+            among = *std::move(both);
     }
     return among;
 }

@@ -45,6 +45,13 @@ void appendPlaces(std::vector<Defect> &defects, const Scene &scene)
         [](LatticePoint &point) { point.x = truncated(point.x); });
     add("y-truncated", places, "y of the vertices is cast to whole pixels, x is not.",
         [](LatticePoint &point) { point.y = truncated(point.y); });
+    add("coordinates-in-16-bits", "How large do your numbers get, and what holds them?",
+        "x and y of the vertices are kept in 16 bits, 8 of them behind the point: from 128 px on "
+        "they wrap to −128.",
+        [](LatticePoint &point) {
+            static_assert(unitsPerPixel == 256);
+            point = {std::int16_t(point.x), std::int16_t(point.y)};
+        });
     choice = u"centre"_s;
     constexpr const char *centre = "Where in a pixel is its sample?";
     constexpr Lattice half = unitsPerPixel / 2;

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/grade/bugs/shapedefect.h"
 
-#include "core/grade/bugs/bresenhamdefect.h"
-#include "core/grade/bugs/drawnline.h"
+#include "core/grade/bugs/linedefect.h"
 #include "core/grade/bugs/scenedefect.h"
+#include "core/scan/lines/linestep.h"
 
 #include <algorithm>
 #include <iterator>
@@ -18,6 +18,7 @@ constexpr const char *colourQuestion = "Which end has which colour?";
 constexpr const char *clipQuestion
     = "Through which pixels goes the part of a line that is inside the frame?";
 constexpr const char *radiusQuestion = "How far from its centre is a circle's outermost pixel?";
+constexpr const char *centreQuestion = "In which pixel is a circle's centre?";
 constexpr const char *insideQuestion = "Which samples are inside where contours overlap?";
 constexpr const char *contourQuestion = "Where does each contour begin and end?";
 
@@ -34,9 +35,7 @@ struct ShapeRow {
 
 bool isSteep(const Shape &line)
 {
-    const Vertex &from = line.vertices[0];
-    const Vertex &to = line.vertices[1];
-    return DrawnLine{from.position, to.position, from.colour, to.colour, {}}.isSteep();
+    return lineAxisOf(line.vertices[0].position, line.vertices[1].position) == LineAxis::Y;
 }
 
 Lattice nearestPixel(Lattice coordinate)
@@ -91,6 +90,12 @@ void changeRadii(Shape &circle, Lattice times, Lattice over, Lattice more)
     LatticePoint &corner = circle.vertices[1].position;
     corner = {centre.x + (corner.x - centre.x) * times / over + more,
               centre.y + (corner.y - centre.y) * times / over + more};
+}
+/// Along both axes.
+void moveCircle(Shape &circle, Lattice way)
+{
+    for (Vertex &vertex : circle.vertices)
+        vertex.position = {vertex.position.x + way, vertex.position.y + way};
 }
 bool hasRadius(const Shape &circle)
 {
@@ -176,6 +181,37 @@ std::span<const ShapeRow> shapeRows()
          "Circles are half as large: the radius is taken for the diameter.",
          [](S &shape, const F &) {
              changeRadii(shape, 1, 2, 0);
+             return true;
+         }},
+        {circle, "centre-one-more", centreQuestion, "Centres are a pixel too large in x and in y.",
+         [](S &shape, const F &) {
+             moveCircle(shape, unitsPerPixel);
+             return true;
+         }},
+        {circle, "centre-one-less", centreQuestion, "Centres are a pixel too small in x and in y.",
+         [](S &shape, const F &) {
+             moveCircle(shape, -unitsPerPixel);
+             return true;
+         }},
+        {circle, "centre-half-more", centreQuestion,
+         "Centres are half a pixel too large in x and in y.",
+         [](S &shape, const F &) {
+             moveCircle(shape, halfPixel);
+             return true;
+         }},
+        {circle, "centre-half-less", centreQuestion,
+         "Centres are half a pixel too small in x and in y, as where they are cut to whole pixels "
+         "and not rounded.",
+         [](S &shape, const F &) {
+             moveCircle(shape, -halfPixel);
+             return true;
+         }},
+        {circle, "centre-exchanged", centreQuestion, "x and y of centres are exchanged.",
+         [](S &shape, const F &) {
+             const LatticePoint centre = shape.vertices[0].position;
+             const Lattice way = centre.y - centre.x;
+             for (Vertex &vertex : shape.vertices)
+                 vertex.position = {vertex.position.x + way, vertex.position.y - way};
              return true;
          }},
         {polygon, "even-odd-for-non-zero", insideQuestion,

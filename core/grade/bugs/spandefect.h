@@ -12,7 +12,4 @@ namespace pixelplumb {
 /// effects.
 std::vector<Defect> spanDefectsFor(const Scene &scene);
 
-/// Mistakes in the lines of a scene: ends, octants, ties.
-std::vector<Defect> lineDefectsFor(const Scene &scene);
-
 } // namespace pixelplumb

@@ -2,9 +2,9 @@
 #include "core/grade/diagnose/undecidable.h"
 
 #include "core/frame/framebuffer.h"
-#include "core/grade/bugs/linechoice.h"
-#include "core/grade/bugs/outlineties.h"
 #include "core/grade/rounding/effectchoices.h"
+#include "core/grade/rounding/linechoice.h"
+#include "core/grade/rounding/outlineties.h"
 #include "core/grade/rounding/samplechoices.h"
 #include "core/grade/rounding/trianglemargin.h"
 #include "core/runs/scenerun.h"

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/grade/diagnose/diagnosis.h"
+#include "core/scan/linebugs.h"
 #include "core/scene/scenefile.h"
 #include "tests/support/programs/mistakenprograms.h"
 #include "tests/support/sourcetree.h"
@@ -73,6 +74,50 @@ private slots:
         QCOMPARE(diagnosis.candidates.front().defects.size(), std::size_t(1));
         QCOMPARE(diagnosis.candidates.front().defects.front().id, id);
         QVERIFY(partingStepOf(scene, diagnosis.candidates.front().defects));
+    }
+
+    void twoMistakesOfALineAreNamedTogether_data()
+    {
+        QTest::addColumn<QString>("start");
+        QTest::addColumn<QStringList>("mistakes");
+        const auto add = [](const char *start, const QStringList &mistakes) {
+            QTest::newRow(qPrintable(mistakes.join(u' ')))
+                << QString::fromLatin1(start) << mistakes;
+        };
+        add("given", {u"decision-from-zero"_s, u"one-pixel-too-many"_s});
+        add("given", {u"decision-stays-by-dy"_s, u"line-colours-by-pixels"_s});
+        add("given", {u"steps-across-backward"_s, u"line-colours-ahead"_s});
+    }
+    void twoMistakesOfALineAreNamedTogether()
+    {
+        QFETCH(QString, start);
+        QFETCH(QStringList, mistakes);
+        const Scene scene = sheet();
+        const std::vector<Submission> submissions
+            = {{scene, drawn(scene, qPrintable(start), "crosses", mistakes)}};
+
+        const Diagnosis diagnosis = *diagnose(submissions);
+
+        QVERIFY(diagnosis.isExplained());
+        QCOMPARE(diagnosis.candidates.front().ids(), mistakes);
+    }
+
+    void mistakesOfOneDecisionAreNotBothInAProgram()
+    {
+        const LineBugs first{.first = DecisionTerm::Rise, .start = LineStart::FirstEnd};
+        const LineBugs other{.first = DecisionTerm::Sum, .start = LineStart::FirstEnd};
+        const LineBugs stay{.stay = DecisionTerm::Rise, .start = LineStart::FirstEnd};
+        const LineBugs sorted{.stay = DecisionTerm::Rise, .start = LineStart::LeastAlong};
+        QVERIFY(!together(first, other));
+        QVERIFY(!together(first, sorted)); // steps begin at one end
+        const auto both = together(first, stay);
+        QVERIFY(both
+                && *both
+                    == (LineBugs{.first = DecisionTerm::Rise,
+                                 .stay = DecisionTerm::Rise,
+                                 .start = LineStart::FirstEnd}));
+        // Cut rows hide what the steps do.
+        QVERIFY(!together(first, {.rounding = AcrossRounding::Down}));
     }
 
     void whereTheDecisionIsZeroEitherPixelIsRight_data()

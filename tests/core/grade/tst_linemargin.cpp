@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/frame/framebuffer.h"
 #include "core/geometry/seededrandom.h"
-#include "core/grade/bugs/linechoice.h"
 #include "core/grade/diagnose/diagnosis.h"
 #include "core/grade/diagnose/undecidable.h"
 #include "core/grade/pictures/picturediff.h"
+#include "core/grade/rounding/linechoice.h"
 #include "tests/support/programs/textbookline.h"
 #include "tests/support/testprogram.h"
 

@@ -66,7 +66,12 @@ void addScenes()
     const auto add = [](const char *method, std::vector<Shape> shapes) {
         QTest::newRow(method) << sceneOf(method, std::move(shapes));
     };
-    add("circle-midpoint", {circle(11, 12, 6), circle(20, 9, 5)});
+    Shape between = circle(8, 7, 3); // its centre is rounded
+    for (Vertex &vertex : between.vertices)
+        vertex.position = {vertex.position.x + halfPixel, vertex.position.y + halfPixel};
+    // Two are cut by the frame: moved pictures lose what comes from outside.
+    add("circle-midpoint",
+        {circle(11, 12, 6), circle(20, 9, 5), between, circle(16, 21, 6), circle(2, 3, 5)});
     add("polygon-parity",
         {notched(ShapeFill::NonZero), overlapping(ShapeFill::NonZero),
          polygon({{1, 14}, {9, 22}, {3, 22}, {9, 14}, {7, 23}}, ShapeFill::EvenOdd)});

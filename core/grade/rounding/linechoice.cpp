@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/grade/bugs/linechoice.h"
+#include "core/grade/rounding/linechoice.h"
 
 #include "core/frame/framebuffer.h"
-#include "core/grade/bugs/drawnline.h"
 #include "core/methods/method.h"
 #include "core/scan/errorlimit.h"
 #include "core/scan/lines/linebresenham.h"
@@ -192,6 +191,13 @@ bool LineChoice::mayHave(const Colour &colour, ByteRounding rounding) const
             return false;
     }
     return true;
+}
+
+bool isOfLines(const Scene &scene)
+{
+    return !scene.shapes.empty() && !scene.hasTriangles() && !mayCallForEffects(scene)
+        && std::ranges::all_of(
+            scene.shapes, [](const Shape &shape) { return shape.kind == PrimitiveKind::Line; });
 }
 
 bool drawsNearestPixels(const Scene &scene)

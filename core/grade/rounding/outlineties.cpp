@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/grade/bugs/outlineties.h"
+#include "core/grade/rounding/outlineties.h"
 
 #include "core/frame/framebuffer.h"
-#include "core/grade/bugs/linechoice.h"
+#include "core/grade/rounding/linechoice.h"
 #include "core/runs/scenerun.h"
 #include "core/scan/errorlimit.h"
 #include "core/scan/lines/outlinefill.h"

@@ -22,6 +22,9 @@ struct LineChoice {
 /// The levels at a share of the way between two vertices, without an error.
 std::array<double, 3> levelsBetween(const Vertex &from, const Vertex &to, double share);
 
+/// Whether a scene consists of lines only and needs only colours.
+bool isOfLines(const Scene &scene);
+
 /// Whether a scene consists of lines only, each step of which draws the nearest pixel.
 bool drawsNearestPixels(const Scene &scene);
 
