@@ -15,6 +15,8 @@ namespace pixelplumb::cli {
 
 namespace {
 
+constexpr std::size_t mostTold = 5; // candidates, in sentences
+
 struct PartingPlace {
     std::size_t scene = 0; ///< of those given, from 1
     PartingStep step;
@@ -87,13 +89,18 @@ QStringList diagnosisLines(const Diagnosis &diagnosis, std::span<const Submissio
         lines += u"no known defect explains it"_s;
     else if (!diagnosis.isExplained() && isWrong)
         lines += u"no known defect explains it; the nearest ones:"_s;
+    if (diagnosis.sampled && isWrong)
+        lines += u"    "_s + sampledText(*diagnosis.sampled);
     const std::size_t synonyms = synonymsIn(diagnosis);
     for (std::size_t i = 0; i < diagnosis.candidates.size(); ++i) {
         const DiagnosisCandidate &candidate = diagnosis.candidates[i];
         if (i > 0 && i < synonyms)
             continue;
         lines += titleOf(candidate);
-        if (!isRelevant(candidate.distance, diagnosis.differing))
+        // Of many that are open the first are told, the others named.
+        const bool isTold = isRelevant(candidate.distance, diagnosis.differing)
+            && std::max(i, synonyms) - synonyms < mostTold;
+        if (!isTold)
             continue;
         for (const QString &sentence : candidate.sentences(&Defect::forAssistant))
             lines += u"    "_s + sentence;
@@ -141,6 +148,10 @@ QJsonObject diagnosisJson(const Diagnosis &diagnosis, std::span<const Submission
                        {u"candidates"_s, candidates},
                        {u"picturesDrawn"_s, qint64(diagnosis.work.pictures)},
                        {u"pixelsDrawn"_s, qint64(diagnosis.work.pixels)}};
+    if (diagnosis.sampled)
+        object.insert(u"sampled"_s,
+                      QJsonObject{{u"spans"_s, qint64(diagnosis.sampled->spans)},
+                                  {u"of"_s, qint64(diagnosis.sampled->of)}});
     if (diagnosis.failure)
         object.insert(u"searchError"_s, *diagnosis.failure);
     return object;

@@ -1632,6 +1632,10 @@
         <translation>Die Suche nach Defekten endete mit einem Fehler: %1.</translation>
     </message>
     <message>
+        <source>Sets that only come near were looked for in %1 of %2 columns or rows: a nearer one may be missing.</source>
+        <translation>Mengen, die nur nahe kommen, wurden in %1 von %2 Spalten oder Zeilen gesucht: eine nähere kann fehlen.</translation>
+    </message>
+    <message>
         <source>No known bug explains it.</source>
         <translation>Kein bekannter Defekt kommt in die Nähe.</translation>
     </message>

@@ -68,6 +68,9 @@ private:
     bool search(const std::vector<FoundPicture> &found, const std::stop_token &stop, Named &named);
     std::optional<Diagnosis> diagnosisOf(std::span<const FoundPicture> found,
                                          const std::stop_token &stop);
+    /// Names what explains one scene's picture for all of them, where it comes nearest.
+    void tryOnAll(const DiagnosisCandidate &candidate, const std::vector<FoundPicture> &found,
+                  Named &named) const;
     GradedCandidate gradedOf(const DiagnosisCandidate &candidate,
                              const std::vector<FoundPicture> &found) const;
     std::optional<FirstDivergence> partingOf(const DiagnosisCandidate &candidate,

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/grade/class/delivery.h"
 #include "core/grade/class/grader.h"
+#include "core/grade/pictures/picturediff.h"
 #include "core/number/failure.h"
+#include "core/runs/scenerun.h"
 #include "core/scan/choicenames.h"
 
 #include <QCryptographicHash>
@@ -82,6 +84,34 @@ GradedCandidate Grader::gradedOf(const DiagnosisCandidate &candidate,
     return graded;
 }
 
+void Grader::tryOnAll(const DiagnosisCandidate &candidate, const std::vector<FoundPicture> &found,
+                      Named &named) const
+{
+    std::int64_t distance = 0;
+    for (const FoundPicture &each : found) {
+        Scene scene = m_pictures.scenes()[each.scene];
+        scene.settings.arithmetic = candidate.arithmetic.value_or(scene.settings.arithmetic);
+        std::vector<Defect> defects;
+        for (const Defect &defect : candidate.defects) {
+            const auto &known = m_pictures.defectsOf(each.scene);
+            const auto own = std::ranges::find(known, defect.id, &Defect::id);
+            // A convention that was read is no defect of any scene's.
+            if (own != known.end() || defect.changeScene)
+                defects.push_back(own != known.end() ? *own : defect);
+        }
+        if (!objectionTo(withDefects(scene, defects)).isEmpty())
+            return;
+        distance += differingPixels(pictureWith(scene, defects), each.picture);
+    }
+    const bool isNearer = named.candidates.empty() || distance < named.candidates.front().distance;
+    if (!isNearer)
+        return;
+    DiagnosisCandidate nearer = candidate;
+    nearer.distance = distance;
+    nearer.undecidable = 0;
+    named.candidates.insert(named.candidates.begin(), gradedOf(nearer, found));
+}
+
 std::optional<Grader::Named> Grader::named(const std::vector<FoundPicture> &found,
                                            const std::stop_token &stop)
 {
@@ -114,8 +144,17 @@ bool Grader::search(const std::vector<FoundPicture> &found, const std::stop_toke
     named.error = whole->failure;
     for (const DiagnosisCandidate &candidate : whole->candidates)
         named.candidates.push_back(gradedOf(candidate, found));
-    const bool hasParts = found.size() > 1 && whole->verdict == DiagnosisVerdict::Wrong;
-    if (!hasParts || whole->isExplained())
+    if (whole->isExplained() || whole->verdict != DiagnosisVerdict::Wrong)
+        return true;
+    const auto others = setsOfOtherMethods(
+        m_pictures, found, [&stop](const JobProgress &) { return !stop.stop_requested(); });
+    if (!others)
+        return false;
+    if (!others->empty())
+        named.candidates.clear();
+    for (const DiagnosisCandidate &candidate : *others)
+        named.candidates.push_back(gradedOf(candidate, found));
+    if (!others->empty() || found.size() == 1)
         return true;
     for (const FoundPicture &each : found) {
         const auto part = diagnosisOf(std::span(&each, 1), stop);
@@ -127,6 +166,7 @@ bool Grader::search(const std::vector<FoundPicture> &found, const std::stop_toke
             continue;
         for (const DiagnosisCandidate &candidate : part->candidates)
             named.explanations[each.scene] += candidate.ids().join(u" and "_s);
+        tryOnAll(part->candidates.front(), found, named);
     }
     return true;
 }

@@ -46,6 +46,8 @@ bool diagnoseOnItsBackground(DefectPictures &pictures, std::span<const FoundPict
     if (!search.run())
         return false;
     diagnosis.candidates = search.candidates();
+    if (!diagnosis.isExplained())
+        diagnosis.sampled = matcher.sampledPart();
     return true;
 }
 
@@ -129,7 +131,17 @@ bool diagnoseOnAnyBackground(DefectPictures &pictures, std::span<const FoundPict
     for (DiagnosisCandidate &candidate : beside.candidates)
         candidate.defects.push_back(drawnOnIt);
     diagnosis.candidates = std::move(beside.candidates);
+    diagnosis.sampled = beside.sampled;
     return true;
+}
+
+/// Whether a defect undoes one of the conventions that were read, such as the rule.
+bool undoes(const DiagnosisCandidate &candidate, const std::vector<Defect> &read)
+{
+    return std::ranges::any_of(candidate.defects, [&](const Defect &defect) {
+        return !defect.choice.isEmpty()
+            && std::ranges::find(read, defect.choice, &Defect::choice) != read.end();
+    });
 }
 
 /// Where nothing explains the pictures as the scenes ask for them, they are judged by the
@@ -149,12 +161,16 @@ bool diagnoseUnderAnyConvention(DefectPictures &pictures, std::span<const FoundP
     Diagnosis beside;
     if (!diagnoseOnItsBackground(readPictures, found, listener, margin, beside))
         return false;
+    std::erase_if(beside.candidates, [&](const DiagnosisCandidate &candidate) {
+        return undoes(candidate, read->told);
+    });
     if (beside.candidates.empty())
         beside.candidates.push_back(
             {{}, beside.differing - beside.undecidable, beside.undecidable});
     for (DiagnosisCandidate &candidate : beside.candidates)
         candidate.defects.insert(candidate.defects.begin(), read->told.begin(), read->told.end());
     diagnosis.candidates = std::move(beside.candidates);
+    diagnosis.sampled = beside.sampled;
     diagnosis.work = readPictures.work();
     return true;
 }
@@ -216,6 +232,14 @@ QString undecidableText(std::int64_t pixels)
         : u"but for %1 that rounding or a sample on an edge may decide"_s.arg(pixelsText(pixels));
 }
 
+QString sampledText(const SampledPart &part)
+{
+    return u"sets that only come near were looked for in %1 of %2 columns or rows: a nearer one "
+           u"may "
+           "be missing"_s.arg(part.spans)
+               .arg(part.of);
+}
+
 std::optional<Diagnosis> diagnose(std::span<const Submission> submissions,
                                   const ProgressListener &listener, const Margin &margin)
 {
@@ -226,7 +250,19 @@ std::optional<Diagnosis> diagnose(std::span<const Submission> submissions,
         scenes.push_back(submission.scene);
     }
     DefectPictures pictures(std::move(scenes));
-    return diagnose(pictures, found, listener, margin);
+    auto diagnosis = diagnose(pictures, found, listener, margin);
+    const bool isUnexplained = diagnosis && !diagnosis->failure && !diagnosis->isExplained()
+        && diagnosis->verdict == DiagnosisVerdict::Wrong;
+    if (!isUnexplained)
+        return diagnosis;
+    auto others = setsOfOtherMethods(pictures, found, listener);
+    if (!others)
+        return std::nullopt;
+    if (!others->empty()) {
+        diagnosis->candidates = *std::move(others);
+        diagnosis->sampled.reset();
+    }
+    return diagnosis;
 }
 
 std::optional<Diagnosis> diagnose(DefectPictures &pictures, std::span<const FoundPicture> found,

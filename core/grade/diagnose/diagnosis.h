@@ -58,6 +58,14 @@ struct PartingStep {
     QString text; ///< "y_T is 41 1/2, should be 41 4/7"
 };
 
+/// How many columns or rows were looked at, of all that large pictures have.
+struct SampledPart {
+    std::size_t spans = 0, of = 0;
+};
+/// "sets that only come near were looked for in 16 of 800 columns or rows: a nearer one may be
+/// missing"
+QString sampledText(const SampledPart &part);
+
 struct Diagnosis {
     DiagnosisVerdict verdict = DiagnosisVerdict::Wrong;
     std::int64_t differing = 0; ///< pixels in all pictures, including undecidable ones
@@ -68,6 +76,9 @@ struct Diagnosis {
     /// most five of the nearest sets: single defects, and pairs of a defect that is among the
     /// nearest alone with another, if they leave at most three quarters of what it leaves.
     std::vector<DiagnosisCandidate> candidates;
+    /// Where pictures are large and no set equals them: by which part sets were refused that leave
+    /// clearly more there. Which sets equal the pictures is known for certain.
+    std::optional<SampledPart> sampled = {};
     /// The error that ended the search, leaving no candidates; none: it completed.
     std::optional<QString> failure = {};
     DrawnWork work = {}; ///< what was drawn for it, besides what other submissions had drawn
@@ -75,16 +86,24 @@ struct Diagnosis {
     bool isExplained() const { return !candidates.empty() && candidates.front().distance == 0; }
 };
 
-/// Judges all pictures together: one cause for all. Undecidable means that a right program may have
+/// Judges all pictures together: one cause for all, or if there is none also one of another method
+/// (setsOfOtherMethods). Undecidable means that a right program may have
 /// the same differences, by the margin (undecidablePixels). None where the listener, who hears how
 /// many sets of defects are tried, ended it. An exception ends only the search
 /// (Diagnosis::failure).
 std::optional<Diagnosis> diagnose(std::span<const Submission> submissions,
                                   const ProgressListener &listener = {}, const Margin &margin = {});
 
-/// Like diagnose() above, for judging many programs' pictures of the same scenes.
+/// Like diagnose() above, for judging many programs' pictures of the same scenes, by their methods.
 std::optional<Diagnosis> diagnose(DefectPictures &pictures, std::span<const FoundPicture> found,
                                   const ProgressListener &listener = {}, const Margin &margin = {});
+
+/// The sets that equal the pictures where triangles are drawn by another method than the scenes':
+/// along columns, along rows or by edge tests; each begins with that method, as a defect. None
+/// where the listener ended it.
+std::optional<std::vector<DiagnosisCandidate>> setsOfOtherMethods(
+    const DefectPictures &pictures, std::span<const FoundPicture> found,
+    const ProgressListener &listener);
 
 /// None where the runs are equal.
 std::optional<PartingStep> partingStepOf(const Scene &right, const Scene &defective);

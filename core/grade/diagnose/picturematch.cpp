@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/grade/diagnose/picturematch.h"
 
+#include "core/grade/diagnose/diagnosis.h"
 #include "core/grade/diagnose/sampledspans.h"
 #include "core/grade/pictures/picturediff.h"
 
@@ -75,6 +76,11 @@ std::int64_t PictureMatcher::distance(const DefectSet &set, std::int64_t limit)
 std::optional<std::int64_t> PictureMatcher::estimate(const DefectSet &set, std::int64_t limit) const
 {
     return m_spans->distance(set, limit);
+}
+
+std::optional<SampledPart> PictureMatcher::sampledPart() const
+{
+    return m_spans->areSampled() ? std::optional(m_spans->part()) : std::nullopt;
 }
 
 std::int64_t PictureMatcher::mostOpen()

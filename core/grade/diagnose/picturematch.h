@@ -10,6 +10,7 @@
 namespace pixelplumb {
 
 class SampledSpans;
+struct SampledPart;
 
 /// A picture of one of several scenes.
 struct FoundPicture {
@@ -41,6 +42,8 @@ public:
     std::int64_t distance(const DefectSet &set, std::int64_t limit = unknown);
     /// What some spans tell of it, up to the limit; none where they do not.
     std::optional<std::int64_t> estimate(const DefectSet &set, std::int64_t limit) const;
+    /// The part of the pictures by which sets are refused that leave clearly more; none: all.
+    std::optional<SampledPart> sampledPart() const;
     /// Pixels: more are never left open by rounding, and by samples on edges where these are open.
     std::int64_t mostOpen();
     const Margin &margin() const { return m_margin; }

@@ -9,6 +9,7 @@
 #include "core/runs/scenerun.h"
 
 #include <algorithm>
+#include <numeric>
 #include <set>
 
 namespace pixelplumb {
@@ -46,9 +47,7 @@ std::vector<int> chosenSpans(const std::vector<std::int64_t> &differing)
         if (std::ranges::find(chosen, int(span)) == chosen.end())
             chosen.push_back(int(span));
     };
-    std::int64_t all = 0;
-    for (const std::int64_t each : differing)
-        all += each;
+    const std::int64_t all = std::reduce(differing.begin(), differing.end());
     std::int64_t before = 0;
     std::size_t next = 0;
     for (std::size_t span = 0; span < differing.size(); ++span) {
@@ -92,7 +91,11 @@ SampledSpans::SampledSpans(DefectPictures &pictures, std::span<const FoundPictur
             return;
         }
         m_sampled.push_back(sampled(each, *right));
-        m_few.push_back(fewOf(m_sampled.back(), pictures.scenes()[each.scene].frame, each.picture));
+        const FrameSpec &frame = pictures.scenes()[each.scene].frame;
+        const ChosenSpans &chosen = m_sampled.back().chosen;
+        m_part.spans += chosen.spans().size();
+        m_part.of += std::size_t(chosen.areColumns() ? frame.width : frame.height);
+        m_few.push_back(fewOf(m_sampled.back(), frame, each.picture));
         m_differing += differingPixels(*right, each.picture);
     }
     constexpr auto all = std::numeric_limits<std::int64_t>::max();
@@ -161,8 +164,7 @@ const Picture &SampledSpans::baseOf(const SampledPicture &sampled, const DefectS
                                     const Scene &scene,
                                     const std::optional<Defect> &redrawing) const
 {
-    const DefectSet base{set.first, {}, set.arithmetic, set.choice};
-    const auto key = std::pair(&sampled, base);
+    const auto key = std::pair(&sampled, DefectSet{set.first, {}, set.arithmetic, set.choice});
     if (m_lastBase.first != key)
         m_lastBase = {key, drawn(sampled, scene, redrawing)};
     return m_lastBase.second;

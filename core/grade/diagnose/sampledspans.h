@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/grade/diagnose/picturematch.h"
+#include "core/grade/diagnose/diagnosis.h"
 #include "core/grade/pictures/chosenspans.h"
 
 namespace pixelplumb {
@@ -17,10 +17,12 @@ public:
     SampledSpans(DefectPictures &pictures, std::span<const FoundPicture> found);
 
     bool areSampled() const { return !m_sampled.empty(); }
+    const SampledPart &part() const { return m_part; } ///< of all pictures
 
     /// How many pixels differ in the whole pictures, estimated by those in the spans, up to a limit
     /// of at most those that differ from the right ones; certainly some where it is not 0. None
-    /// where the spans do not tell: pictures are small, or pixels come from elsewhere in them.
+    /// where the spans do not tell: pictures are small, or pixels come from elsewhere in them. What
+    /// differs in every fourth of them by a quarter more than its share counts as beyond the limit.
     std::optional<std::int64_t> distance(const DefectSet &set, std::int64_t limit) const;
 
 private:
@@ -52,6 +54,7 @@ private:
     std::vector<SampledPicture> m_few; ///< every fourth span of these
     using BaseKey = std::pair<const SampledPicture *, DefectSet>;
     mutable std::pair<BaseKey, Picture> m_lastBase = {}, m_lastMoved = {};
+    SampledPart m_part;
     std::int64_t m_differing = 0; ///< of the right pictures
     std::int64_t m_differingInSpans = 0; ///< of these
     std::int64_t m_differingInFew = 0; ///< of these

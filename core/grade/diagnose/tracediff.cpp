@@ -15,6 +15,14 @@ namespace pixelplumb {
 
 namespace {
 
+/// Where a number comes from that is none, or infinite; empty for others.
+QString originOf(double number)
+{
+    if (std::isnan(number))
+        return u" (no number: 0 was divided by 0, or it is computed from such a one)"_s;
+    return std::isinf(number) ? u" (something was divided by 0, or grew without end)"_s : QString();
+}
+
 QString textOf(const Place &place)
 {
     const auto &[axis, x, y] = place;
@@ -175,8 +183,9 @@ private:
                 continue;
             const Quantity should
                 = isByte ? Quantity::integer(byteOf(number.toDouble(), m_rounding)) : number;
-            return u"%1, %2: %3, should be %4"_s.arg(textOf(right), titleOf(line.axis, i), is.text,
-                                                     term(should));
+            return u"%1, %2: %3%4, should be %5"_s.arg(textOf(right), titleOf(line.axis, i),
+                                                       is.text, originOf(is.value.toDouble()),
+                                                       term(should));
         }
         return {};
     }

@@ -40,7 +40,8 @@ QString sentenceOf(const StudentRun &run, const ProgramLimits &limits)
         return u"it crashed: %1 (signal %2)"_s.arg(QString::fromLatin1(sigdescr_np(run.code)),
                                                    QString::number(run.code));
     case ProgramEnd::TimedOut:
-        return u"it was ended after %1 s of computing"_s.arg(limits.wholeSeconds());
+        return u"it was ended after %1 s of computing: a loop does not end, or takes far too long"_s
+            .arg(limits.wholeSeconds());
     case ProgramEnd::Flooded:
         return u"it was ended when it had written more than %1 bytes"_s.arg(limits.output);
     case ProgramEnd::NotStarted:

@@ -127,6 +127,22 @@ private slots:
         }));
     }
 
+    void aMistakeOfAnotherMethodIsNamedByIt()
+    {
+        Scene scene = sceneWith({triangleAt(5, 5, 30, 8, 12, 33)});
+        Scene byRows = scene;
+        byRows.method = "row-walk";
+        const auto known = defectsFor(byRows);
+        const auto defect = std::ranges::find(known, u"whole-slopes"_s, &Defect::id);
+        QVERIFY(defect != known.end());
+        const Submission submission{scene, pictureWith(byRows, std::span(&*defect, 1))};
+
+        const auto diagnosis = diagnose(std::span(&submission, 1));
+
+        QVERIFY(diagnosis->isExplained());
+        QCOMPARE(diagnosis->candidates.front().ids().front(), u"drawn-by-row-walk"_s);
+    }
+
     void whatNoDefectExplainsHasItsNearestOnes()
     {
         const std::vector<Scene> scenes = probeScenes();

@@ -131,14 +131,18 @@ private slots:
         const StudentRun computing = runPython(u"while True: pass"_s, limits);
         QCOMPARE(nameOf(computing.end), u"timed out"_s);
         // However busy the machine is.
-        QCOMPARE(computing.told, u"it was ended after 1 s of computing"_s);
+        QCOMPARE(
+            computing.told,
+            u"it was ended after 1 s of computing: a loop does not end, or takes far too long"_s);
         QVERIFY(!computing.isByClock);
         // One program ignores the kernel's signal; another only looks as if it had been ended by
         // it.
         const StudentRun deaf = runPython(u"import signal\nsignal.signal(signal.SIGXCPU, "
                                           "signal.SIG_IGN)\nwhile True: pass"_s,
                                           limits);
-        QCOMPARE(deaf.told, u"it was ended after 1 s of computing"_s);
+        QCOMPARE(
+            deaf.told,
+            u"it was ended after 1 s of computing: a loop does not end, or takes far too long"_s);
         // The launcher reports a signal as such an exit code, as shells do.
         QVERIFY(runShell(u"exit 152"_s, limits).told.startsWith("it crashed"));
         QVERIFY(runShell(u"kill -XCPU $$"_s, limits).told.startsWith("it crashed"));
@@ -176,7 +180,9 @@ private slots:
                                            "while time.process_time() < 1.3: pass\n"
                                            "os.kill(os.getpid(), signal.SIGXCPU)"_s,
                                            within(2000ms));
-        QCOMPARE(ended.told, u"it was ended after 2 s of computing"_s);
+        QCOMPARE(
+            ended.told,
+            u"it was ended after 2 s of computing: a loop does not end, or takes far too long"_s);
     }
 
     void theClockEndsProgramsThatOnlyWait()

@@ -82,6 +82,23 @@ private slots:
         QVERIFY(told > 8);
     }
 
+    void whatWasNotLookedAtIsTold()
+    {
+        const auto sampledOf = [](int width, int height) {
+            const Scene scene = largeScene(u"column-scan"_s, width, height);
+            Picture found = pictureOf(scene);
+            for (std::size_t place = 0; place < found.size(); place += 7)
+                found.colours[place].channels[0] ^= 85;
+            return diagnose(std::vector{Submission{scene, found}})->sampled;
+        };
+        const auto large = sampledOf(256, 144);
+        QVERIFY(large);
+        QCOMPARE(sampledText(*large),
+                 u"sets that only come near were looked for in 16 of 256 columns or rows: a nearer "
+                 "one may be missing"_s);
+        QVERIFY(!sampledOf(64, 48));
+    }
+
     void aSmallPictureIsDrawnWhole()
     {
         const Scene scene = largeScene(u"column-scan"_s, 64, 48);

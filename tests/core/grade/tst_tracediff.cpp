@@ -190,8 +190,12 @@ private slots:
             "column 12, y_T: 284/15, should be 18 13/15");
         row("a fraction that is nearly right", with(8, "column 12 163/27 18866667/1000000"),
             "column 12, y_T: 18866667/1000000, should be 18 13/15");
-        row("no number", with(8, "column 12 nan 18.867"), "column 12, y_B: nan, should be 6 1/27");
-        row("infinity", with(8, "column 12 6.037 inf"), "column 12, y_T: inf, should be 18 13/15");
+        row("no number", with(8, "column 12 nan 18.867"),
+            "column 12, y_B: nan (no number: 0 was divided by 0, or it is computed from such a "
+            "one), should be 6 1/27");
+        row("infinity", with(8, "column 12 6.037 inf"),
+            "column 12, y_T: inf (something was divided by 0, or grew without end), should be 18 "
+            "13/15");
         row("another column", with(8, "column 1 6.037 18.867"), "column 1 is there, should not be");
         QStringList missing = right;
         missing.removeAt(8);

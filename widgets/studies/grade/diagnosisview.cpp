@@ -247,12 +247,19 @@ QString diagnosisText(const Diagnosis &diagnosis)
         return verdict + u' '
             + DiagnosisView::tr("The search for defects ended in an error: %1.")
                   .arg(*diagnosis.failure);
+    const QString near = diagnosis.sampled ? u' '
+            + DiagnosisView::tr("Sets that only come near were looked for in %1 of %2 columns or "
+                                "rows: a nearer one may be missing.")
+                  .arg(diagnosis.sampled->spans)
+                  .arg(diagnosis.sampled->of)
+                                           : QString();
     if (diagnosis.candidates.empty())
         return diagnosis.verdict == DiagnosisVerdict::Wrong
-            ? verdict + u' ' + DiagnosisView::tr("No known bug explains it.")
+            ? verdict + u' ' + DiagnosisView::tr("No known bug explains it.") + near
             : verdict;
     if (!diagnosis.isExplained())
-        return verdict + u' ' + DiagnosisView::tr("No known bug explains it; the nearest ones:");
+        return verdict + near + u' '
+            + DiagnosisView::tr("No known bug explains it; the nearest ones:");
     return verdict + u' '
         + (diagnosis.candidates.front().undecidable > 0
                ? DiagnosisView::tr(
