@@ -42,7 +42,7 @@ public:
     void takeOff(const TriangleMargin &triangle)
     {
         const SampleBox box = triangle.reachIn(m_scene.frame);
-        const ThirdWeights ways = likeliestWays(triangle, box);
+        const ProgramWays ways = likeliestWays(triangle, box);
         for (std::int64_t y = box.firstY; y < box.endY; ++y) {
             for (std::int64_t x = box.firstX; x < box.endX; ++x) {
                 const std::size_t place = placeOf(x, y);
@@ -126,11 +126,11 @@ private:
         return m_found.covered[place] == 0
             || (m_found.hasColours && m_found.colours[place] == m_scene.frame.background);
     }
-    /// A program keeps to one way of computing the third weight: those that explain the most of
-    /// what the rule would decide otherwise. What they do not explain, rounding does not.
-    ThirdWeights likeliestWays(const TriangleMargin &triangle, const SampleBox &box) const
+    /// A program keeps to one way of computing a triangle: those that explain the most of what the
+    /// rule would decide otherwise. What they do not explain, rounding does not.
+    ProgramWays likeliestWays(const TriangleMargin &triangle, const SampleBox &box) const
     {
-        std::array<int, std::numeric_limits<ThirdWeights>::digits> explained = {};
+        std::array<int, std::numeric_limits<ProgramWays>::digits> explained = {};
         for (std::int64_t y = box.firstY; y < box.endY; ++y) {
             for (std::int64_t x = box.firstX; x < box.endX; ++x) {
                 const std::size_t place = placeOf(x, y);
@@ -141,15 +141,15 @@ private:
                     : m_found.covered[place] != 0;
                 if (isDrawn == (triangle.containmentOf(x, y, {}) == Containment::Inside))
                     continue;
-                const ThirdWeights ways = triangle.deviatingAt(x, y);
+                const ProgramWays ways = triangle.deviatingAt(x, y);
                 for (std::size_t way = 0; way < explained.size(); ++way)
                     explained[way] += int(ways >> way & 1);
             }
         }
         const int most = *std::ranges::max_element(explained);
-        ThirdWeights likeliest = 0;
+        ProgramWays likeliest = 0;
         for (std::size_t way = 0; way < explained.size(); ++way)
-            likeliest |= ThirdWeights(explained[way] == most) << way;
+            likeliest |= ProgramWays(explained[way] == most) << way;
         return likeliest;
     }
     template <class MayHave>

@@ -15,6 +15,11 @@ namespace pixelplumb {
 
 namespace {
 
+constexpr ProgramWays columnWalk = 1;
+constexpr ProgramWays rowWalk = 2;
+constexpr ProgramWays roundedFunctions = 4;
+constexpr ProgramWays firstThirdWeight = 8; // 54 ways
+
 double pixels(Lattice coordinate) { return double(coordinate) / double(unitsPerPixel); }
 
 /// The change of the vertices' values per pixel along one coordinate; `across`: the vertices' other
@@ -179,10 +184,10 @@ Containment ArithmeticBound::containmentWithin(const Sample &sample,
     return found;
 }
 
-ThirdWeights ArithmeticBound::deviatingAt(const Sample &sample,
-                                          const std::optional<BoundaryRule> &rule) const
+ProgramWays ArithmeticBound::deviatingThirdWeights(const Sample &sample,
+                                                   const std::optional<BoundaryRule> &rule) const
 {
-    ThirdWeights deviating = 0;
+    ProgramWays deviating = 0;
     for (std::size_t i = 0; i < 3; ++i) {
         const double function = sample.functions[i];
         const std::size_t next = (i + 1) % 3;
@@ -195,7 +200,7 @@ ThirdWeights ArithmeticBound::deviatingAt(const Sample &sample,
         if (std::abs(function) > 8 * m_unit * m_area
             || (rule && (isRefused(next) || isRefused(last))))
             continue;
-        ThirdWeights way = ThirdWeights(1) << (i * 18);
+        ProgramWays way = firstThirdWeight << (i * 18);
         const auto compare = [&](auto third) {
             const bool isOther = rule
                 ? (third < 0 || (third == 0 && !sample.areOwned[i])) != isRefused(i)
@@ -215,19 +220,12 @@ ThirdWeights ArithmeticBound::deviatingAt(const Sample &sample,
     return deviating;
 }
 
-ThirdWeights ArithmeticBound::deviatingAt(std::int64_t x, std::int64_t y,
-                                          const BoundaryRule &rule) const
-{
-    return m_isProved && m_hasExactFunctions ? deviatingAt(sampleAt(x, y, rule), rule) : 0;
-}
-
 Containment ArithmeticBound::byFunctions(const Sample &sample,
-                                         const std::optional<BoundaryRule> &rule,
-                                         ThirdWeights ways) const
+                                         const std::optional<BoundaryRule> &rule) const
 {
     if (m_hasExactFunctions)
-        return (deviatingAt(sample, rule) & ways) == 0 ? containmentWithin(sample, {}, rule)
-                                                       : Containment::Undecided;
+        return deviatingThirdWeights(sample, rule) == 0 ? containmentWithin(sample, {}, rule)
+                                                        : Containment::Undecided;
     if (m_area <= 2 * m_functionError)
         return Containment::Undecided;
     const double error = 2 * m_functionError + 4 * m_unit * m_area; // of the third weight, too
@@ -277,17 +275,30 @@ Containment ArithmeticBound::byWalk(const Sample &sample, SpanAxis walk, std::in
     return found[0] == found[1] ? found[0] : Containment::Undecided;
 }
 
+ProgramWays ArithmeticBound::deviatingAt(std::int64_t x, std::int64_t y,
+                                         const std::optional<BoundaryRule> &rule) const
+{
+    const Sample sample = sampleAt(x, y, rule);
+    const Containment exact = containmentWithin(sample, {}, rule);
+    ProgramWays deviating = 0;
+    if (byWalk(sample, SpanAxis::Column, x, rule) != exact)
+        deviating |= columnWalk;
+    if (byWalk(sample, SpanAxis::Row, y, rule) != exact)
+        deviating |= rowWalk;
+    if (m_hasExactFunctions)
+        deviating |= deviatingThirdWeights(sample, rule);
+    else if (byFunctions(sample, rule) != exact)
+        deviating |= roundedFunctions;
+    return deviating;
+}
+
 Containment ArithmeticBound::containmentOf(std::int64_t x, std::int64_t y,
                                            const std::optional<BoundaryRule> &rule,
-                                           ThirdWeights ways) const
+                                           ProgramWays ways) const
 {
-    if (!m_isProved)
+    if (!m_isProved || (deviatingAt(x, y, rule) & ways) != 0)
         return Containment::Undecided;
-    const Sample sample = sampleAt(x, y, rule);
-    const Containment found = byFunctions(sample, rule, ways);
-    const bool isAgreed = byWalk(sample, SpanAxis::Column, x, rule) == found
-        && byWalk(sample, SpanAxis::Row, y, rule) == found;
-    return isAgreed ? found : Containment::Undecided;
+    return containmentWithin(sampleAt(x, y, rule), {}, rule);
 }
 
 } // namespace pixelplumb

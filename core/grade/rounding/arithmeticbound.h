@@ -29,11 +29,12 @@ struct LevelRange {
     }
 };
 
-/// Ways to compute one of the three weights of a sample as 1 − α − β, a bit each: of which edge, in
-/// which numbers, by quotients or by the reciprocal of the area, and in which order. A program
-/// keeps to one of them.
-using ThirdWeights = std::uint64_t;
-inline constexpr ThirdWeights allThirdWeights = ~ThirdWeights(0);
+/// Ways to compute whether a triangle has a sample, a bit each: a walk along columns, along rows,
+/// edge functions that round, and edge functions that do not, with one of the three weights
+/// computed as 1 − α − β: of which edge, in which numbers, by quotients or by the reciprocal of the
+/// area, and in which order. A program keeps to one of them.
+using ProgramWays = std::uint64_t;
+inline constexpr ProgramWays allProgramWays = ~ProgramWays(0);
 
 /// The largest error of a right program on one triangle, in sample coordinates, if it walks between
 /// two edges, from any of their columns or rows, or evaluates edge functions (barycentric ones
@@ -46,18 +47,18 @@ public:
     /// False without area and for vertices beyond 2^16 px, which float32 does not hold.
     bool isProved() const { return m_isProved; }
     /// A sample on an edge where nothing rounds is decided by the fill rule; none: undecided. Of
-    /// programs whose third weight is 1 − α − β, those that compute it in one of the ways.
+    /// the programs that compute in one of these ways.
     Containment containmentOf(std::int64_t x, std::int64_t y,
                               const std::optional<BoundaryRule> &rule,
-                              ThirdWeights ways = allThirdWeights) const;
-    /// The ways that decide a sample otherwise than the rule does, where nothing else rounds.
-    ThirdWeights deviatingAt(std::int64_t x, std::int64_t y, const BoundaryRule &rule) const;
+                              ProgramWays ways = allProgramWays) const;
+    /// The ways that may decide a sample otherwise than the rule does without rounding.
+    ProgramWays deviatingAt(std::int64_t x, std::int64_t y,
+                            const std::optional<BoundaryRule> &rule) const;
     /// Like containmentOf() for programs that evaluate edge functions alone.
     Containment containmentByFunctions(std::int64_t x, std::int64_t y,
                                        const std::optional<BoundaryRule> &rule) const
     {
-        return m_isProved ? byFunctions(sampleAt(x, y, rule), rule, allThirdWeights)
-                          : Containment::Undecided;
+        return m_isProved ? byFunctions(sampleAt(x, y, rule), rule) : Containment::Undecided;
     }
     /// The frame's samples that a right program may write; it never writes any other.
     SampleBox reachIn(const FrameSpec &frame) const;
@@ -91,15 +92,15 @@ private:
     /// The containment by edge functions with these errors, px².
     static Containment containmentWithin(const Sample &sample, const std::array<double, 3> &errors,
                                          const std::optional<BoundaryRule> &rule);
-    Containment byFunctions(const Sample &sample, const std::optional<BoundaryRule> &rule,
-                            ThirdWeights ways) const;
+    Containment byFunctions(const Sample &sample, const std::optional<BoundaryRule> &rule) const;
     Containment byWalk(const Sample &sample, SpanAxis walk, std::int64_t at,
                        const std::optional<BoundaryRule> &rule) const;
     std::array<Lattice, 3> placesAlong(SpanAxis walk) const;
     void setWalkErrors();
     bool isWalkedExactly(std::size_t edge, SpanAxis walk) const;
     bool areFunctionsExact() const;
-    ThirdWeights deviatingAt(const Sample &sample, const std::optional<BoundaryRule> &rule) const;
+    ProgramWays deviatingThirdWeights(const Sample &sample,
+                                      const std::optional<BoundaryRule> &rule) const;
 
     Triangle m_triangle;
     Triangle m_exchanged; ///< with x and y exchanged

@@ -54,7 +54,7 @@ SampleBox TriangleMargin::reachIn(const FrameSpec &frame) const
                    : intersection(boundingBoxOf(m_triangle), samplesOf(windowOf(frame)));
 }
 
-Containment TriangleMargin::containmentOf(std::int64_t x, std::int64_t y, ThirdWeights ways) const
+Containment TriangleMargin::containmentOf(std::int64_t x, std::int64_t y, ProgramWays ways) const
 {
     if (m_bound && m_hasArea)
         return m_bound->containmentOf(x, y, m_rule, ways);

@@ -28,9 +28,10 @@ public:
     /// The frame's samples that may be drawn.
     SampleBox reachIn(const FrameSpec &frame) const;
     Containment containmentOf(std::int64_t x, std::int64_t y,
-                              ThirdWeights ways = allThirdWeights) const;
-    /// The ways that decide a sample otherwise than the scene's rule; none where edges are open.
-    ThirdWeights deviatingAt(std::int64_t x, std::int64_t y) const
+                              ProgramWays ways = allProgramWays) const;
+    /// The ways that may decide a sample otherwise than the scene's rule; none where edges are
+    /// open.
+    ProgramWays deviatingAt(std::int64_t x, std::int64_t y) const
     {
         return m_bound && m_hasArea && m_rule ? m_bound->deviatingAt(x, y, *m_rule) : 0;
     }
