@@ -80,7 +80,7 @@ QByteArray FieldTexts::textOf(const RoundOf<const Shape> &field) const
     const LatticePoint centre = field.shape.vertices[0].position;
     const LatticePoint corner = field.shape.vertices[1].position;
     return inBraces(
-        of(Round{field.shape.kind, centre, {corner.x - centre.x, corner.y - centre.y}}));
+        of(RoundFields{field.shape.kind, centre, {corner.x - centre.x, corner.y - centre.y}}));
 }
 
 /// Nothing for an open curve.

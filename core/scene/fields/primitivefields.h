@@ -115,12 +115,12 @@ void eachField(Self &self, const Visit &visit)
 }
 
 /// A circle or an ellipse as files give it.
-struct Round {
+struct RoundFields {
     PrimitiveKind kind;
     LatticePoint centre = {};
     LatticePoint radii = {};
 };
-template <PartOf<Round> Self, class Visit>
+template <PartOf<RoundFields> Self, class Visit>
 void eachField(Self &self, const Visit &visit)
 {
     visit("centre", Required{self.centre});

@@ -76,7 +76,7 @@ public:
     }
     void read(const JsonNode &node, const RoundOf<Shape> &field)
     {
-        Round round = {field.shape.kind};
+        RoundFields round = {field.shape.kind};
         readObject(node, round);
         auto &[kind, centre, radii] = round;
         if (kind == PrimitiveKind::Circle)

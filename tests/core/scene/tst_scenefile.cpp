@@ -37,7 +37,7 @@ QStringList allKeys()
         Shape shape;
         shape.kind = PrimitiveKind(kind);
         shape.vertices.resize(1);
-        keys += fieldNames(shape) + fieldNames(Round{shape.kind});
+        keys += fieldNames(shape) + fieldNames(RoundFields{shape.kind});
     }
     for (const SolidKind kind : allSolidKinds) {
         Solid solid;
