@@ -84,20 +84,20 @@ QString spanText(const PixelAttempt &attempt, const TracedScene &traced)
     return text;
 }
 
-/// "; exact 277/54, error 0", where there is an exact number.
-QString exactText(const Quantity &used, const Quantity &exact)
+/// "; truth 277/54, error 0", where there is a number to compare with: the truth, or that of the
+/// same run in exact arithmetic.
+QString besideText(const QString &what, const Quantity &used, const Quantity &other)
 {
-    if (exact.isNone())
+    if (other.isNone())
         return {};
-    return u"; exact %1, error %2"_s.arg(toText(exact), realText(errorOf(used, exact)));
+    return u"; %1 %2, error %3"_s.arg(what, toText(other), realText(errorOf(used, other)));
 }
 
-/// The level and the byte written. The exact level is a triangle's; for a shape only the pixels are
+/// The level and the byte written. The true level is a triangle's; for a shape only the pixels are
 /// true. A mean of samples has no level.
 QString channelText(const PixelAttempt &attempt, std::size_t channel)
 {
     const Quantity &used = attempt.sample->colour[channel];
-    const Quantity &exact = attempt.exactColour[channel];
     const std::int64_t level = std::clamp<std::int64_t>(attempt.sample->level[channel], 0, 255);
     const int byte = unpacked(attempt.change.after).channels[channel];
     QString text = u"    "_s + channelLetters[channel];
@@ -105,13 +105,13 @@ QString channelText(const PixelAttempt &attempt, std::size_t channel)
         text += u" = %1 → %2"_s.arg(toText(used), QString::number(level));
     if (used.isNone() || level != byte)
         text += u" → %1"_s.arg(byte);
-    return text + exactText(used, exact);
+    return text + besideText(u"truth"_s, used, attempt.exactColour[channel]);
 }
 
 QString carriedText(const PixelAttempt::Carried &number)
 {
     return u"    %1 = %2"_s.arg(number.title, toText(number.used))
-        + exactText(number.used, number.exact);
+        + besideText(u"exact"_s, number.used, number.exact);
 }
 
 /// A double that JSON can hold, or its name.

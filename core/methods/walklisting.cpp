@@ -78,7 +78,9 @@ void WalkListing::addSlopes()
                      plus = VariantSet().with(Variant::DivisorPlusOne);
     const auto text = [this](const QString &change, const QString &less) {
         return slope(change, less)
-            + (carriesColours() ? u"; δR_ij, δG_ij and δB_ij likewise"_s : QString());
+            + (!carriesColours()                     ? QString()
+                   : m_values == WalkValues::Colours ? u"; δR_ij, δG_ij and δB_ij likewise"_s
+                                                     : u"; δ of each carried value likewise"_s);
     };
     addVaried(0, text({}, {}), {SetUp},
               {{minus, text(" − 1", " − 1")},
@@ -109,15 +111,15 @@ QString WalkListing::spans(FillRule rule, FrameOrigin origin) const
         + (ownsLast ? u"⌊x₂⌋"_s : u"⌈x₂⌉ − 1"_s);
 }
 
-void WalkListing::addSpans()
+void WalkListing::addSpans(int depth)
 {
     const auto text = [this](FillRule rule, FrameOrigin origin) {
         return u"for each {span} {c} of the frame from %1:"_s.arg(spans(rule, origin));
     };
-    add(0, text(FillRule::Closed, FrameOrigin::BottomLeft), everySpan);
+    add(depth, text(FillRule::Closed, FrameOrigin::BottomLeft), everySpan);
     addRules(text);
-    addBounds();
-    addOrder();
+    addBounds(depth + 1);
+    addOrder(depth + 1);
 }
 
 /// How far the span is from a vertex, which is 0 or i.
@@ -128,7 +130,10 @@ QString WalkListing::way(const QString &vertex) const
 
 QString WalkListing::alike() const
 {
-    return carriesColours() ? u"; R, G and B likewise"_s : QString();
+    if (!carriesColours())
+        return {};
+    return m_values == WalkValues::Colours ? u"; R, G and B likewise"_s
+                                           : u"; each carried value likewise"_s;
 }
 
 QString WalkListing::fromVertex(const QString &edge, const QString &vertex,
@@ -142,31 +147,31 @@ QString WalkListing::added(const QString &edge) const
     return u"else: {a}%1 ← {a}%1 + m%1"_s.arg(edge) + alike();
 }
 
-void WalkListing::addBounds()
+void WalkListing::addBounds(int depth)
 {
     const QString chosen
         = isRow() ? u"L_ij ← L₀₁ if y > y₁, else L₁₂"_s : u"L_ij ← L₀₁ if x < x₁, else L₁₂"_s;
     const QString first = "₀", either = "_i";
     if (isDirect()) {
-        add(1, fromVertex(longEdge, first, way(first)), everySpan);
-        add(1, chosen, everySpan, LineOf::Area);
-        add(1, fromVertex(shortEdge, either, way(either)), everySpan, LineOf::Area);
+        add(depth, fromVertex(longEdge, first, way(first)), everySpan);
+        add(depth, chosen, everySpan, LineOf::Area);
+        add(depth, fromVertex(shortEdge, either, way(either)), everySpan, LineOf::Area);
         return;
     }
-    addBeginning("the first: ", longEdge, first, {Begin}, LineOf::EveryPrimitive);
-    add(1, added(longEdge), {TakeOver, Span});
-    add(1, chosen, everySpan, LineOf::Area);
-    addBeginning("where it begins: ", shortEdge, either, {Begin, TakeOver}, LineOf::Area);
-    add(1, added(shortEdge), {Span}, LineOf::Area);
+    addBeginning(depth, "the first: ", longEdge, first, {Begin}, LineOf::EveryPrimitive);
+    add(depth, added(longEdge), {TakeOver, Span});
+    add(depth, chosen, everySpan, LineOf::Area);
+    addBeginning(depth, "where it begins: ", shortEdge, either, {Begin, TakeOver}, LineOf::Area);
+    add(depth, added(shortEdge), {Span}, LineOf::Area);
 }
 
 /// Adds the line for an edge's first span; without a pre-step it starts as if its vertex were on a
 /// span.
-void WalkListing::addBeginning(const QString &where, const QString &edge, const QString &vertex,
-                               const std::vector<Moment> &moments, LineOf of)
+void WalkListing::addBeginning(int depth, const QString &where, const QString &edge,
+                               const QString &vertex, const std::vector<Moment> &moments, LineOf of)
 {
     const QString whole = isRow() ? u"(⌊y%1⌋ − y)"_s : u"(x − ⌈x%1⌉)"_s;
-    addVaried(1, where + fromVertex(edge, vertex, way(vertex)), moments,
+    addVaried(depth, where + fromVertex(edge, vertex, way(vertex)), moments,
               {{VariantSet().with(Variant::NoEdgePreStep),
                 where + fromVertex(edge, vertex, whole.arg(vertex))}},
               of);
@@ -182,43 +187,60 @@ QString WalkListing::ordered(const QString &condition) const
 /// the bounds are equal, the slopes tell which edge is the lower one.
 QString WalkListing::orderedWithSlopes() const
 {
-    return u"y_B, y_T, m_B, m_T ← y_ij, y₀₂, m_ij, m₀₂ if y_ij < y₀₂, or y_ij = y₀₂ "
-           "and m_ij < m₀₂, else y₀₂, y_ij, m₀₂, m_ij"_s
+    return u"y_B, y_T, m_B, m_T ← y_ij, y₀₂, m_ij, m₀₂ if %1, else y₀₂, y_ij, m₀₂, m_ij"_s.arg(
+               m_values == WalkValues::Carried ? u"S > 0"_s
+                                               : u"y_ij < y₀₂, or y_ij = y₀₂ and m_ij < m₀₂"_s)
         + alike() + u" — by exact y and m"_s;
 }
 
-/// Tells the two bounds apart. Only the closed rule draws where rounding or a variant takes the
-/// edges past each other.
-void WalkListing::addOrder()
+QString WalkListing::areaRemark() const
 {
+    return u" — %1 is twice the area, above 0 where L₀₂ has the larger {a}"_s.arg(areaName());
+}
+
+QString WalkListing::orderedByArea() const
+{
+    return ordered(areaName() + u" > 0"_s) + areaRemark();
+}
+
+/// Only the closed rule draws where rounding or a variant takes the edges past each other.
+void WalkListing::addOrder(int depth)
+{
+    const bool isByArea = isExact() && m_values == WalkValues::Carried;
     // A column's lower edge is L_ij where A > 0; rounded bounds of equal {a} differ in colour.
-    const QString compared = isDirect() ? "{a}_ij ≤ {a}₀₂"
-        : isExact()                     ? "{a}_ij < {a}₀₂"
-                                        : "{a}_ij < {a}₀₂, or {a}_ij = {a}₀₂ and A > 0";
-    const QString area = " — A is twice the area, above 0 where L₀₂ has the larger {a}";
-    const QString remark = isExact() ? u" — by exact {a}"_s : isDirect() ? QString() : area;
-    add(1, ordered(compared) + remark, everySpan, LineOf::Area);
+    const QString byArea = areaName() + u" > 0"_s;
+    const QString compared = isDirect() ? u"{a}_ij ≤ {a}₀₂"_s
+        : isByArea                      ? byArea
+        : isExact()                     ? u"{a}_ij < {a}₀₂"_s
+                    : u"{a}_ij < {a}₀₂, or {a}_ij = {a}₀₂ and "_s + byArea;
+    const QString area = areaRemark();
+    const QString remark = isByArea ? area
+        : isExact()                 ? u" — by exact {a}"_s
+        : isDirect()                ? QString()
+                                    : area;
+    add(depth, ordered(compared) + remark, everySpan, LineOf::Area);
     addRules([&](FillRule rule, FrameOrigin) {
         if (isExact() && !isRow() && rule == FillRule::TopLeft)
             return orderedWithSlopes();
-        return isExact() ? ordered(compared) + remark : ordered("A > 0") + area;
+        return isExact() ? ordered(compared) + remark : orderedByArea();
     });
-    add(1, u"{a}_{lo}, {a}_{hi} ← {a}₀, {a}₂ if {c}₀ = {c}₂, else {a}₀₂, {a}₀₂"_s + alike(),
+    add(depth, u"{a}_{lo}, {a}_{hi} ← {a}₀, {a}₂ if {c}₀ = {c}₂, else {a}₀₂, {a}₀₂"_s + alike(),
         everySpan, LineOf::Segment);
     if (!isDirect())
         return;
-    add(1, u"β_B, β_T ← β_ij, β₀₂ if %1, else β₀₂, β_ij"_s.arg(compared), everySpan, LineOf::Area);
-    add(1, "β_B, β_T ← β₀₂, β₀₂", everySpan, LineOf::Segment);
+    add(depth, u"β_B, β_T ← β_ij, β₀₂ if %1, else β₀₂, β_ij"_s.arg(compared), everySpan,
+        LineOf::Area);
+    add(depth, "β_B, β_T ← β₀₂, β₀₂", everySpan, LineOf::Segment);
 }
 
-void WalkListing::addSamples()
+void WalkListing::addSamples(int depth)
 {
     const auto text = [this](FillRule rule, FrameOrigin origin) {
         return u"for each {across} {a} of the frame from %1:%2"_s.arg(
             samples(rule, origin),
             isExact() ? u" — by exact bounds in every arithmetic"_s : QString());
     };
-    add(1, text(FillRule::Closed, FrameOrigin::BottomLeft), {First, Next});
+    add(depth, text(FillRule::Closed, FrameOrigin::BottomLeft), {First, Next});
     addRules(text);
 }
 

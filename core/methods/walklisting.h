@@ -12,13 +12,19 @@ enum class WalkCoverage {
     Exact, ///< exact bounds; vertices may be named as they are given
 };
 
+/// What a walk carries beside the coordinate: its lines say which, the runs of a listing with
+/// effects which of them are carried.
+enum class WalkValues { Colours, Carried };
+
 /// The listing of a walk between two edges. A test runs every line: L_ij is the current short edge,
 /// whose digits take the place of i and j; y becomes R, and m δR, where R is done "likewise".
 class WalkListing {
 public:
-    WalkListing(const EdgeWalkForm &form, WalkCoverage coverage)
+    WalkListing(const EdgeWalkForm &form, WalkCoverage coverage,
+                WalkValues values = WalkValues::Colours)
         : m_form(form)
         , m_coverage(coverage)
+        , m_values(values)
         , m_names(form)
     {
     }
@@ -36,9 +42,17 @@ public:
     QString slope(const QString &change, const QString &less) const;
     void addRejection();
     /// The loop over the spans, with the two bounds in each.
-    void addSpans();
+    void addSpans(int depth = 0);
+    /// Tells the two bounds apart.
+    void addOrder(int depth);
     /// The loop over a span's samples.
-    void addSamples();
+    void addSamples(int depth = 1);
+    /// "y₀₂ ← y₀ + (x − x₀)·m₀₂", and of what is carried likewise: a bound from a vertex of its
+    /// edge.
+    QString longBoundFromVertex() const { return fromVertex("₀₂", "₀", way("₀")); }
+    QString shortBoundFromVertex() const { return fromVertex("_ij", "_i", way("_i")); }
+    /// Which of the two is the lower one.
+    QString orderedByArea() const;
 
     /// The lines, in the letters of the form.
     Pseudocode written();
@@ -54,9 +68,12 @@ private:
     /// Whether colours are walked along the edges.
     bool carriesColours() const
     {
-        return m_form.rate == ColourRate::Bilinear || !(isDirect() || isExact());
+        return m_form.rate == ColourRate::Bilinear
+            || !(isDirect() || isExact() || m_values == WalkValues::Carried);
     }
     QString alike() const;
+    QString areaRemark() const;
+    QString areaName() const { return m_values == WalkValues::Carried ? u"S"_s : u"A"_s; }
 
     template <class Text>
     void addRules(const Text &text);
@@ -65,20 +82,23 @@ private:
     QString way(const QString &vertex) const;
     QString fromVertex(const QString &edge, const QString &vertex, const QString &way) const;
     QString added(const QString &edge) const;
-    void addBounds();
-    void addBeginning(const QString &where, const QString &edge, const QString &vertex,
+    void addBounds(int depth);
+    void addBeginning(int depth, const QString &where, const QString &edge, const QString &vertex,
                       const std::vector<Moment> &moments, LineOf of);
-    void addOrder();
     QString ordered(const QString &condition) const;
     QString orderedWithSlopes() const;
 
     EdgeWalkForm m_form;
     WalkCoverage m_coverage;
+    WalkValues m_values;
     EdgeWalkNames m_names;
     Pseudocode m_code;
 };
 
 /// The whole listing of a walk that carries colours along its edges.
 Pseudocode walkPseudocode(const EdgeWalkForm &form, WalkCoverage coverage);
+/// With effects beyond colour: the column scan's, which is the bilinear interpolation's between
+/// bounds as computed.
+Pseudocode shadedColumnScanPseudocode();
 
 } // namespace pixelplumb

@@ -4777,8 +4777,8 @@
         <translation>nicht von Dreieck %1 überdeckt</translation>
     </message>
     <message>
-        <source>exact levels in triangle %1:</source>
-        <translation>exakte Farbwerte in Dreieck %1:</translation>
+        <source>true levels in triangle %1:</source>
+        <translation>wahre Farbwerte in Dreieck %1:</translation>
     </message>
     <message>
         <source>column %1</source>
@@ -4838,6 +4838,10 @@
     <message>
         <source>→ %1 clamped to %2</source>
         <translation>→ %1 auf %2 begrenzt</translation>
+    </message>
+    <message>
+        <source>truth %1, error %2</source>
+        <translation>Wahrheit %1, Fehler %2</translation>
     </message>
     <message>
         <source>exact %1, error %2</source>

@@ -251,7 +251,7 @@ QString PixelGrid::describe(const QPoint &pixel) const
     const std::array<Quantity, 3> levels = exactLevelsAt(traced, *triangle, pixel.x(), pixel.y());
     if (levels[0].isNone())
         return lines.join(u'\n');
-    lines.append(tr("exact levels in triangle %1:").arg(*triangle));
+    lines.append(tr("true levels in triangle %1:").arg(*triangle));
     for (std::size_t channel = 0; channel < levels.size(); ++channel) {
         const Quantity &level = levels[channel];
         lines.append(u"%1 = %2 %3"_s.arg(channelLetters[channel])

@@ -55,7 +55,7 @@ private:
     QString attemptText(const PixelAttempt &attempt, int column) const;
     QString channelText(const PixelAttempt &attempt, std::size_t channel, int column) const;
     QString carriedText(const PixelAttempt::Carried &number, int column) const;
-    QString besideText(const Quantity &used, const Quantity &exact) const;
+    QString besideText(const QString &pattern, const Quantity &used, const Quantity &exact) const;
     QString edgeText(const PixelAttempt &attempt, std::size_t index, int column) const;
     /// The channels of a write come first, then the edges of a triangle.
     QString detailText(const PixelAttempt &attempt, std::size_t row, int column) const;

@@ -89,18 +89,18 @@ QString PixelHistoryModel::channelText(const PixelAttempt &attempt, std::size_t 
     }
     if (exact.isNone())
         return {}; // a shape's truth is only its pixels
-    return besideText(used, exact);
+    return besideText(tr("truth %1, error %2"), used, exact);
 }
 
-/// The exact number and the error; in exact arithmetic, where both are one number, its decimals.
-QString PixelHistoryModel::besideText(const Quantity &used, const Quantity &exact) const
+/// The truth, or the number of the same run in exact arithmetic, and the error, in the pattern; in
+/// exact arithmetic, where both are one number, its decimals.
+QString PixelHistoryModel::besideText(const QString &pattern, const Quantity &used,
+                                      const Quantity &exact) const
 {
     if (m_traced->scene.settings.arithmetic == Arithmetic::Exact
         && (exact.isNone() || used == exact))
         return decimalBeside(used);
-    return exact.isNone()
-        ? QString()
-        : tr("exact %1, error %2").arg(displayText(exact), displayError(used, exact));
+    return exact.isNone() ? QString() : pattern.arg(displayText(exact), displayError(used, exact));
 }
 
 QString PixelHistoryModel::carriedText(const PixelAttempt::Carried &number, int column) const
@@ -116,7 +116,7 @@ QString PixelHistoryModel::carriedText(const PixelAttempt::Carried &number, int 
     default:
         break;
     }
-    return besideText(number.used, number.exact);
+    return besideText(tr("exact %1, error %2"), number.used, number.exact);
 }
 
 QString PixelHistoryModel::edgeText(const PixelAttempt &attempt, std::size_t index,

@@ -172,15 +172,35 @@ Method bezierSubdivisionMethod()
     method.title = QT_TRANSLATE_NOOP("core", "Bézier: subdivision");
     method.source = "Rasterization slides, “Output Primitives” (other curves); Scan Conversion "
                     "slides, “Polygons” (splines)";
-    method.pseudocode
-        = {{0, "piece ← the whole curve", {Moment::SetUp}},
-           {0, "if no sample is to be drawn: done", {Moment::Rejected}},
-           {0, "if more pixels than those of its ends may belong to the piece:", {Moment::Halve}},
-           {1,
-            "halve it by de Casteljau and do this with the first half, then with the second",
-            {Moment::Halve}},
-           {0, "else: pixels ← those of its ends, and of a corner that it passes", {Moment::Span}},
-           {1, "each pixel that was not the last one ← colour", {Moment::First, Moment::Next}}};
+    method.pseudocode = {
+        {0,
+         "given: undecided(d, k), 1 where the piece from t = k/2ᵈ to t = (k + 1)/2ᵈ may have more "
+         "pixels than those of its ends, else 0",
+         {Moment::SetUp}},
+        {0,
+         "given: first(d, k), corner(d, k), last(d, k), the pixels of its two ends, and of a "
+         "corner that it passes, or places beyond the frame",
+         {Moment::SetUp}},
+        {0, "d, k ← 0, 0 — the whole curve", {Moment::SetUp}},
+        {0, "if no sample is to be drawn: done", {Moment::Rejected}},
+        {0, "while k = 0, or d > 0:", {Moment::Halve, Moment::Span}},
+        {1, "s ← undecided(d, k)", {Moment::Halve, Moment::Span}},
+        {1,
+         "if s = 1: d, k ← d + 1, 2·k — halve it by de Casteljau, and do this with the first half",
+         {Moment::Halve}},
+        {1, "else:", {Moment::Span}},
+        {2, "x, y ← first(d, k)", {Moment::Span}},
+        {2,
+         "pixel (x, y) ← colour — a pixel that was the last one, too, is not written again",
+         {Moment::First, Moment::Next}},
+        {2, "x, y ← corner(d, k)", {Moment::Span}},
+        {2, "pixel (x, y) ← colour", {Moment::First, Moment::Next}},
+        {2, "x, y ← last(d, k)", {Moment::Span}},
+        {2, "pixel (x, y) ← colour", {Moment::First, Moment::Next}},
+        {2, "k ← k + 1", {Moment::Span}},
+        {2,
+         "while k mod 2 = 0 and d > 0: d, k ← d − 1, k/2 — both halves are done",
+         {Moment::Span}}};
     method.summary
         = QT_TRANSLATE_NOOP("core",
                             "Halves the curve by de Casteljau's algorithm until each piece has no "

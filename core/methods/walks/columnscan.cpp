@@ -2,6 +2,7 @@
 #include "core/fast/fastscan.h"
 #include "core/methods/methodrows.h"
 #include "core/methods/shading/plannedmethod.h"
+#include "core/methods/walklisting.h"
 #include "core/methods/walks/edgewalktraces.h"
 
 #include <algorithm>
@@ -42,7 +43,7 @@ Method columnScanMethod()
         = QT_TRANSLATE_NOOP("core",
                             "Walks the columns between two edges and colours the samples from y_B "
                             "to y_T that the fill rule takes, all by adding increments.");
-    method.shadedPseudocode = pixelplumb::shadedPseudocode(InterpolationForm::Bilinear);
+    method.shadedPseudocode = shadedColumnScanPseudocode();
     method.arithmetics.assign(allArithmetics.begin(), allArithmetics.end());
     method.effects.assign(allEffects.begin(), allEffects.end());
     method.shadingArithmetics = {Arithmetic::Exact, Arithmetic::Float32};

@@ -213,7 +213,7 @@ QString sentencesOn(const PixelAttempt &attempt, const TracedScene &traced)
         return text + u" Extra: the truth does not cover it"_s
             + (attempt.exactColour[0].isNone()
                    ? u". "_s
-                   : u"; the exact levels are those of %1. "_s.arg(
+                   : u"; the true levels are those of %1. "_s.arg(
                        attempt.verdict.zeroArea ? u"its segment, prolonged"_s
                                                 : u"the triangle's plane outside of it"_s))
             + refusalText(attempt, traced).trimmed() + acceptingText(attempt, traced)
@@ -227,7 +227,7 @@ QString sentencesOn(const PixelAttempt &attempt, const TracedScene &traced)
         = oracle::byteColourAt(traced.primitives.triangles[attempt.primitive], attempt.change.x,
                                attempt.change.y, traced.scene.settings.rounding);
     if (packed(exact) != attempt.change.after)
-        text += u" The exact colour is %1, %2, %3."_s.arg(exact.red())
+        text += u" The true colour is %1, %2, %3."_s.arg(exact.red())
                     .arg(exact.green())
                     .arg(exact.blue())
             + variantText(attempt, traced);

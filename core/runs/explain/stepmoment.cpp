@@ -61,11 +61,12 @@ VariantSet variantsFor(const TracedScene &traced, std::size_t primitive)
 Pseudocode litCode(Pseudocode code, const TracedScene &traced)
 {
     if (traced.shading() && traced.shading()->vertexLight)
-        code.insert(
-            code.begin(),
-            {0,
-             "R, G, B of the vertices ← ambient and, of each light, the diffuse and specular term",
-             {Moment::SetUp}});
+        code.insert(code.begin(),
+                    {0,
+                     "R₀, G₀, B₀ ← lit(P₀); P₁ and P₂ likewise — given: lit(P), ambient and, of "
+                     "each light, the "
+                     "diffuse and specular term",
+                     {Moment::SetUp}});
     return code;
 }
 
@@ -88,16 +89,15 @@ Moment momentOf(const ScanTrace &trace, std::size_t stepIndex)
 
 Pseudocode pseudocodeOf(const TracedScene &traced, std::size_t primitive)
 {
-    if (!traced.shading() || traced.method->shadedPseudocode.empty())
-        return litCode(
-            underRule(
-                linesOf(isSegment(*traced.trace, primitive) ? LineOf::Segment : LineOf::Area,
-                        variedCode(traced.method->pseudocode, variantsFor(traced, primitive))),
-                traced.scene.settings.fillRule, traced.scene.frame.origin),
-            traced);
-    const EffectSet effects = effectsOf(*traced.shading(), primitive);
-    Pseudocode code = traced.method->shadedPseudocode;
-    const Antialiasing antialiasing = traced.antialiasing();
+    const bool isShaded = traced.shading() && !traced.method->shadedPseudocode.empty();
+    Pseudocode code = underRule(
+        linesOf(isSegment(*traced.trace, primitive) ? LineOf::Segment : LineOf::Area,
+                isShaded ? traced.method->shadedPseudocode
+                         : variedCode(traced.method->pseudocode, variantsFor(traced, primitive))),
+        traced.scene.settings.fillRule, traced.scene.frame.origin);
+    const EffectSet effects = isShaded ? effectsOf(*traced.shading(), primitive) : EffectSet{};
+    const Antialiasing antialiasing
+        = isShaded ? traced.antialiasing() : traced.strokeAntialiasing();
     std::erase_if(code, [&](const PseudocodeLine &line) {
         return (line.effect && !contains(effects, *line.effect))
             || (!line.antialiasing.empty()

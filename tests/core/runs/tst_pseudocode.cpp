@@ -81,7 +81,8 @@ QStringList linesNotIn(const Pseudocode &code, const std::set<QString> &done)
 {
     QStringList missing;
     for (const PseudocodeLine &line : code) {
-        if (!done.contains(line.text))
+        // Segments are drawn under one rule only: tst_effectlistings runs their lines.
+        if (line.of != LineOf::Segment && !done.contains(line.text))
             missing += line.text;
     }
     return missing;
@@ -166,7 +167,7 @@ private slots:
         }
         QStringList missing = linesNotIn(method->shadedPseudocode, done);
         missing.removeAll(u"if no sample is to be drawn: done"_s);
-        QCOMPARE(missing, QStringList());
+        QVERIFY2(missing.isEmpty(), qPrintable(missing.join(u'\n')));
     }
 
     /// The line "else: y_B ← y_B + m" is marked where the formula says so.

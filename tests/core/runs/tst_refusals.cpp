@@ -233,7 +233,7 @@ private slots:
                 const PixelAttempt attempt = pixelHistory(*traced, x, y).front();
                 if (!attempt.written || attempt.verdict.covered)
                     continue;
-                QVERIFY2(attempt.reason.contains(u"the exact levels are those of the triangle's "
+                QVERIFY2(attempt.reason.contains(u"the true levels are those of the triangle's "
                                                  u"plane outside of it"),
                          qPrintable(attempt.reason));
                 ++extra;

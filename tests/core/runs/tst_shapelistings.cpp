@@ -5,7 +5,7 @@
 #include "core/scan/choicenames.h"
 #include "core/scan/polygons/polygonpieces.h"
 #include "tests/support/framespec.h"
-#include "tests/support/listings/listingscenes.h"
+#include "tests/support/listings/listingshapes.h"
 #include "tests/support/scenes/shapes.h"
 #include "tests/support/testprogram.h"
 
@@ -16,114 +16,6 @@
 namespace tst_shapelistings {
 
 using namespace pixelplumb;
-
-namespace {
-
-constexpr unsigned seed = 17;
-
-BigRational inPixels(Lattice units) { return BigRational(units, unitsPerPixel); }
-
-/// Random places of shapes in and around a small frame: on whole pixels, on halves, between them.
-class Places {
-public:
-    explicit Places(int number)
-        : m_step(number % 3 == 0       ? unitsPerPixel
-                     : number % 3 == 1 ? unitsPerPixel / 2
-                                       : 37)
-    {
-    }
-
-    Lattice between(std::int64_t first, std::int64_t last, std::mt19937 &random) const
-    {
-        std::uniform_int_distribution<Lattice> place(first * unitsPerPixel / m_step,
-                                                     last * unitsPerPixel / m_step);
-        return place(random) * m_step;
-    }
-    LatticePoint point(std::mt19937 &random) const
-    {
-        const Lattice x = between(-4, 17, random);
-        return {x, between(-4, 17, random)};
-    }
-
-private:
-    Lattice m_step;
-};
-
-/// The shapes of every second three are seen in frames whose y points down.
-FrameSpec frameFor(int number)
-{
-    FrameSpec frame = number % 4 == 3 ? frameOf(9, 7, 2, 1)
-        : number % 4 == 1             ? frameOf(14, 13, -3, -5)
-                                      : frameOf(14, 13);
-    frame.origin = number / 3 % 2 == 1 ? FrameOrigin::TopLeft : FrameOrigin::BottomLeft;
-    return frame;
-}
-
-void setColour(ListingNames &names, const Colour &colour)
-{
-    for (std::size_t channel = 0; channel < 3; ++channel)
-        names[u"colour "_s + QString(channelLetters[channel])] = colour.channels[channel];
-}
-
-/// A circle or an ellipse, often smaller than a pixel or wider than the frame.
-Shape oddRound(int number, std::mt19937 &random)
-{
-    const Places places(number);
-    const std::int64_t largest = number % 7 == 0 ? 1 : number % 7 == 1 ? 25 : 7;
-    const Lattice radius = places.between(0, largest, random);
-    const LatticePoint centre = places.point(random);
-    return ellipseAtUnits(centre, radius,
-                          number % 2 == 0 ? radius : places.between(0, largest, random));
-}
-
-/// A polygon of one or two contours that often cross themselves and each other, with ties, level
-/// and upright edges and vertices that coincide.
-Shape oddPolygon(int number, std::mt19937 &random, ShapeFill fill)
-{
-    const Places places(number);
-    Shape polygon;
-    polygon.kind = PrimitiveKind::Polygon;
-    polygon.fill = fill;
-    const int count = 3 + number % 6;
-    for (int i = 0; i < count; ++i) {
-        LatticePoint point = places.point(random);
-        if (i > 0 && number % 4 == 1)
-            point.y = polygon.vertices.back().position.y;
-        if (i > 0 && number % 4 == 2)
-            point.x = polygon.vertices.back().position.x;
-        polygon.vertices.push_back({point, {{200, 100, 50}}});
-    }
-    return polygon;
-}
-
-/// A quadratic or a cubic curve, closed by a straight edge.
-Shape oddPath(int number, std::mt19937 &random, ShapeFill fill)
-{
-    const Places places(number);
-    std::vector<LatticePoint> controls;
-    for (int i = 0; i < 3 + number % 2; ++i)
-        controls.push_back(places.point(random));
-    Shape path = bezierAt(controls);
-    path.fill = fill;
-    return path;
-}
-
-std::vector<ListingRun::Item> itemsOf(const std::vector<ContourEdge> &edges)
-{
-    std::vector<ListingRun::Item> items;
-    for (const ContourEdge &edge : edges)
-        items.push_back({inPixels(edge.from.x), inPixels(edge.from.y), inPixels(edge.to.x),
-                         inPixels(edge.to.y)});
-    return items;
-}
-
-QString message(int number, const QString &departure)
-{
-    return departure.isEmpty() ? departure
-                               : u"seed %1, shape %2: %3"_s.arg(seed).arg(number).arg(departure);
-}
-
-} // namespace
 
 /// The printed pseudocode of circles, polygons and points is executed and compared with their
 /// kernels.
@@ -150,7 +42,7 @@ private slots:
         QFETCH(QString, id);
         QFETCH(VariantSet, variants);
         QFETCH(Arithmetic, arithmetic);
-        std::mt19937 random(seed);
+        std::mt19937 random(shapeSeed);
         std::size_t drawn = 0;
         for (int i = 0; i < 300; ++i) {
             Shape round = oddRound(i, random);
@@ -202,7 +94,7 @@ private slots:
         QFETCH(QString, id);
         QFETCH(ShapeFill, fill);
         QFETCH(Arithmetic, arithmetic);
-        std::mt19937 random(seed);
+        std::mt19937 random(shapeSeed);
         std::size_t drawn = 0;
         for (int i = 0; i < 200; ++i) {
             const bool isCurve = id == u"bezier-fill"_s;
@@ -235,7 +127,7 @@ private slots:
 
     void theListingOfPointsDrawsWhatItsKernelDraws()
     {
-        std::mt19937 random(seed);
+        std::mt19937 random(shapeSeed);
         for (int i = 0; i < 200; ++i) {
             Shape points;
             points.kind = PrimitiveKind::Point;

@@ -30,6 +30,29 @@ ListingRun listingOf(const TracedScene &traced)
     return listingOf(traced, pseudocodeOf(traced, 0));
 }
 
+/// Where the lines that a listing ran for a pixel are not those that are marked at the pixel's
+/// step.
+QString wrongMark(const ListingRun &run, const TracedScene &traced)
+{
+    const Pseudocode code = pseudocodeOf(traced, 0);
+    const ScanTrace &trace = *traced.trace;
+    for (std::size_t index = 0; index < trace.stepCount(); ++index) {
+        const TraceStep step = trace.stepAt(index);
+        if (step.kind != StepKind::Sample)
+            continue;
+        const PixelChange &change = trace.changes()[step.sample];
+        const std::vector<std::size_t> &ran = run.linesOfPixels().at({change.x, change.y});
+        for (std::size_t line = 0; line < code.size(); ++line) {
+            const bool isMarked = std::ranges::count(code[line].moments, momentOf(trace, index)) > 0
+                && !code[line].text.startsWith(u"for each "_s);
+            const bool isCondition = code[line].text.startsWith(u"if "_s); // that need not hold
+            if (isMarked != (std::ranges::count(ran, line) > 0) && !(isMarked && isCondition))
+                return u"(%1, %2): %3"_s.arg(change.x).arg(change.y).arg(code[line].text);
+        }
+    }
+    return {};
+}
+
 /// The set-up ends with "done" where only the closed rule would draw a triangle without area, and
 /// where all vertices lie beyond one side of the frame, which matters where variants leave the
 /// triangle.
@@ -75,6 +98,7 @@ private slots:
             }
         }
     }
+    /// Of each pixel the lines that computed it are marked, and no others.
     void listingsOfWalksDrawWhatTheirKernelsDraw()
     {
         QFETCH(QString, id);
@@ -97,6 +121,8 @@ private slots:
             const QString departure = departureOf(run, *traced);
             QVERIFY2(departure.isEmpty(),
                      qPrintable(u"seed %1, triangle %2: %3"_s.arg(seed).arg(i).arg(departure)));
+            const QString mark = wrongMark(run, *traced);
+            QVERIFY2(mark.isEmpty(), qPrintable(mark));
             drawn += run.pixels().size();
         }
         QVERIFY(drawn > std::size_t(7 * count));

@@ -180,9 +180,23 @@ private:
             throw ListingFault(u"not closed: "_s + m_text);
         return value;
     }
-    /// The longest name that starts here and ends at a word boundary.
+    /// The end of the word that starts here, with an index: "z_near[3,4]".
+    qsizetype endOfWord() const
+    {
+        qsizetype end = m_place;
+        while (end < m_text.size() && belongsToName(m_text[end]))
+            ++end;
+        return end < m_text.size() && m_text[end] == u'[' ? m_text.indexOf(u']', end) + 1 : end;
+    }
+    /// The longest name that starts here and ends at a word boundary; most are one word.
     Number named()
     {
+        const qsizetype ends = endOfWord();
+        const auto word = m_names.find(m_text.sliced(m_place, ends - m_place));
+        if (word != m_names.end() && m_text.mid(ends, 1) != u"("_s) {
+            m_place = ends;
+            return word->second;
+        }
         const std::pair<const QString, Number> *longest = nullptr;
         const QString begin = m_text.mid(m_place, 1);
         for (auto entry = m_names.lower_bound(begin);

@@ -33,8 +33,8 @@ bool belongsToName(QChar character);
 
 /// Splits "A ← B; C and D likewise" into three statements; conditions likewise. "likewise" advances
 /// ₀ ₁ ₂, bc ca ab, a b c and α β γ by one, or R G B; of a coordinate along an edge, y₀₂ and m₀₂,
-/// it makes R₀₂ and δR₀₂.
-QStringList spelledOut(const QString &text);
+/// it makes R₀₂ and δR₀₂. "each carried value likewise" stands for all of `carried`.
+QStringList spelledOut(const QString &text, const QStringList &carried = {});
 
 /// The value of an expression of + − · / mod ( ), ⌊ ⌋, ⌈ ⌉, | |, √, ², cos, sin, (int)( ), whole
 /// numbers, ½, ¼ and names; 2Δy is 2·Δy. In float32 and float64 each operation rounds its result.

@@ -70,9 +70,9 @@ bool startsName(const QString &text, qsizetype place)
     return before == u'Δ' || before == u'δ' || !belongsToName(before);
 }
 
-/// What is done to a coordinate along an edge, done to R: y₀₂ → R₀₂, m₀₂ → δR₀₂. The coordinate is
-/// the first one that the text names. Conditions stay.
-QString coordinateAsChannel(const QString &text)
+/// What is done to a coordinate along an edge, done to a value: y₀₂ → R₀₂, m₀₂ → δR₀₂. The
+/// coordinate is the first one that the text names. Conditions stay.
+QString coordinateAs(const QString &value, const QString &text)
 {
     static const QRegularExpression firstCoordinate(u"[xy]"_s);
     const qsizetype first = text.indexOf(firstCoordinate);
@@ -87,9 +87,9 @@ QString coordinateAsChannel(const QString &text)
         const bool isTurned
             = !isCondition && startsName(text, place) && rest.size() > 1 && belongsToName(rest[1]);
         if (isTurned && rest[0] == u'm')
-            result += u"δR"_s;
+            result += u'δ' + value;
         else
-            result += isTurned && rest[0] == coordinate ? QChar(u'R') : rest[0];
+            result += isTurned && rest[0] == coordinate ? value : QString(rest[0]);
     }
     return result;
 }
@@ -98,7 +98,7 @@ QString coordinateAsChannel(const QString &text)
 QString nextChannel(const QString &text)
 {
     if (u"xym"_s.contains(text.front()))
-        return coordinateAsChannel(text);
+        return coordinateAs(u"R"_s, text);
     const QString letters = u"RGB"_s;
     QString result = text;
     for (qsizetype place = 0; place < text.size(); ++place) {
@@ -120,7 +120,7 @@ bool hasName(const QString &text, const QString &letters)
 
 } // namespace
 
-QStringList spelledOut(const QString &text)
+QStringList spelledOut(const QString &text, const QStringList &carried)
 {
     QStringList parts;
     for (const QString &part : text.split(u"; "_s)) {
@@ -131,6 +131,11 @@ QStringList spelledOut(const QString &text)
         if (parts.isEmpty())
             throw ListingFault(u"like what: "_s + text);
         const QString pattern = parts.constLast();
+        if (part.contains(u"each carried value"_s)) {
+            for (const QString &value : carried)
+                parts.append(coordinateAs(value, pattern));
+            continue;
+        }
         const QStringList names
             = part.chopped(likewise.size()).replace(u" and "_s, u", "_s).split(u", "_s);
         QString edge = pattern, channel = pattern;

@@ -70,7 +70,7 @@ std::size_t ListingRun::endOfBlock(std::size_t line) const
 
 void ListingRun::runBlock(std::size_t first, std::size_t end)
 {
-    for (std::size_t line = first; line < end; line = endOfBlock(line))
+    for (std::size_t line = first; line < end && !m_state.leaves(); line = endOfBlock(line))
         runLine(line);
 }
 
@@ -79,15 +79,21 @@ void ListingRun::runLine(std::size_t line)
     const QString &listed = m_code[line].text;
     const QString text = m_state.meant(withoutRemark(listed));
     m_state.ask(askedBy(listed));
-    if (!runLoop(line, text) && !runCase(line, text))
-        m_state.run(text);
+    if (runLoop(line, text) || runCase(line, text))
+        return;
+    m_ran.push_back(line);
+    m_state.run(text);
 }
 
 /// One round of a loop.
 void ListingRun::runRound(std::size_t line)
 {
     m_hasCase = false;
+    m_ran.clear();
     runBlock(line + 1, endOfBlock(line));
+    if (const auto place = m_state.takeWritten())
+        m_linesOfPixels[*place] = m_ran;
+    m_state.takesLeave();
 }
 
 /// False if the line is no loop.
@@ -95,11 +101,16 @@ bool ListingRun::runLoop(std::size_t line, const QString &text)
 {
     const QString during = u"while "_s;
     if (text.startsWith(during)) {
-        while (m_state.holds(text.sliced(during.size()).section(u':', 0, 0)))
-            m_state.run(text.section(u':', 1).trimmed());
+        const QString statements = text.section(u':', 1).trimmed();
+        while (m_state.holds(text.sliced(during.size()).section(u':', 0, 0))) {
+            if (statements.isEmpty())
+                runRound(line);
+            else
+                m_state.run(statements);
+        }
         return true;
     }
-    return text.startsWith(u"for each "_s)
+    return text.startsWith(u"for each "_s) && !text.startsWith(u"for each carried "_s)
         && (runBox(line, text) || runColumns(line, text) || runEdges(line, text)
             || runArcs(line, text) || runTriangles(line, text) || runMetItems(text)
             || runItems(line, text) || runRange(line, text));
@@ -141,11 +152,14 @@ bool ListingRun::runRange(std::size_t line, const QString &text)
         last = isDown ? std::max(last, Number(least)) : std::min(last, Number(greatest));
     }
     const bool wasFirst = std::exchange(m_isFirst, true);
+    const ListingNames known
+        = text.startsWith(u"for each sample "_s) ? m_state.names() : ListingNames();
     for (Number at = first; isDown ? at >= last : at <= last; at += step) {
         m_state.set(match.captured(1), at);
         if (!match.captured(2).isEmpty())
             m_state.set(u"i"_s, Number(at / size));
         runRound(line);
+        m_state.keepOnly(known);
         m_isFirst = false;
     }
     m_isFirst = wasFirst;
@@ -291,6 +305,8 @@ bool ListingRun::runCase(std::size_t line, const QString &text)
         isTaken = m_state.holds(text.sliced(onlyIf.size()).section(u':', 0, 0));
     else
         return false;
+    if (isTaken)
+        m_ran.push_back(line);
     const bool hadCase = m_hasCase && text.startsWith(u'e');
     const QString statements = text.section(u':', 1).trimmed();
     if (isTaken && !statements.isEmpty())

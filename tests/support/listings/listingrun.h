@@ -12,6 +12,7 @@ namespace pixelplumb {
 ///   for each column x from A to B:            "column" may be another word or missing
 ///   for each row y from A down to B:
 ///   for each column x of the frame from A to B:     those that the frame has; x_first is A
+///   for each sample k from A to B:            names that a round brings are its own
 ///   for each t = i/N from A to B:             i = 0, 1, 2 …
 ///   for each edge L_ij of L₀₁, L₁₂, L₀₂: …    statements, or a block, in which i and j are the
 ///                                             edge's digits
@@ -23,7 +24,7 @@ namespace pixelplumb {
 ///   for each triangle, with its three edges:     loops over edges go through these
 ///   for each edge k of them with x_k ≤ A: …   statements; "them" are those of the loop above;
 ///                                             min x_k and max x_k are of them, too
-///   while A > 0: …
+///   while A > 0: …                            statements, or a block
 ///   the first: …    else if A > 0: …    else: …     in a loop: in its first round, or else
 ///   where it begins: …                        if what is assigned first has no value yet
 ///   if A > 0, or A = 0 and B > 0; C and D likewise:     a block, or "…: statements"
@@ -59,8 +60,13 @@ public:
         m_end = m_items.size();
     }
 
+    ListingState &state() { return m_state; }
+
     /// Throws ListingFault.
     void run();
+    /// The lines that were run for a pixel, from the begin of its loop's round on, ascending.
+    using Lines = std::map<std::pair<std::int64_t, std::int64_t>, std::vector<std::size_t>>;
+    const Lines &linesOfPixels() const { return m_linesOfPixels; }
     /// The pixels that were drawn.
     const Pixels &pixels() const { return m_state.pixels(); }
 
@@ -90,6 +96,8 @@ private:
     std::size_t m_first = 0, m_end = 0; ///< those that loops go through: all, or a triangle's
     std::vector<std::size_t> m_met; ///< those that met the last loop's condition
     QStringList m_ends; ///< the names of their coordinates
+    std::vector<std::size_t> m_ran; ///< the lines of the current round
+    Lines m_linesOfPixels;
     bool m_isFirst = false; ///< whether this is the first round of the current loop
     bool m_hasCase = false; ///< whether a case was taken in the current round
 };

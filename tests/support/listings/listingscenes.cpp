@@ -14,8 +14,6 @@ namespace {
 
 constexpr std::array<QChar, 3> digits = {u'₀', u'₁', u'₂'};
 
-BigRational inPixels(Lattice units) { return BigRational(units, unitsPerPixel); }
-
 FrameSpec oddFrame(int number)
 {
     FrameSpec frame = number % 4 == 3 ? frameOf(9, 7, 2, 1)
@@ -26,6 +24,8 @@ FrameSpec oddFrame(int number)
 }
 
 } // namespace
+
+BigRational inPixels(Lattice units) { return BigRational(units, unitsPerPixel); }
 
 Scene oddTriangleScene(int number, std::mt19937 &random)
 {
@@ -119,16 +119,10 @@ std::vector<Arithmetic> listedArithmetics(const Method &method)
     return listed;
 }
 
-QString departureOf(ListingRun &run, const TracedScene &traced)
+QString differenceOf(const ListingRun::Pixels &pixels, const TracedScene &traced)
 {
-    run.computeIn(traced.scene.settings.arithmetic);
-    try {
-        run.run();
-    } catch (const ListingFault &fault) {
-        return QString::fromUtf8(fault.what());
-    }
     const ListingRun::Pixels expected = pixelsOf(traced);
-    if (run.pixels() == expected)
+    if (pixels == expected)
         return {};
     QStringList different;
     const auto compare = [&](const ListingRun::Pixels &ones, const ListingRun::Pixels &others,
@@ -142,13 +136,24 @@ QString departureOf(ListingRun &run, const TracedScene &traced)
                                      .arg(colour & 0xFFFFFF, 6, 16, QChar(u'0')));
         }
     };
-    compare(run.pixels(), expected, u"listing"_s);
-    compare(expected, run.pixels(), u"kernel"_s);
+    compare(pixels, expected, u"listing"_s);
+    compare(expected, pixels, u"kernel"_s);
     QStringList vertices;
     for (const Triangle &triangle : traced.scene.triangles)
         for (const Vertex &vertex : triangle.vertices)
             vertices.append(u"(%1, %2)/256"_s.arg(vertex.position.x).arg(vertex.position.y));
     return vertices.join(u' ') + u": "_s + different.join(u", "_s);
+}
+
+QString departureOf(ListingRun &run, const TracedScene &traced)
+{
+    run.computeIn(traced.scene.settings.arithmetic);
+    try {
+        run.run();
+    } catch (const ListingFault &fault) {
+        return QString::fromUtf8(fault.what());
+    }
+    return differenceOf(run.pixels(), traced);
 }
 
 } // namespace pixelplumb

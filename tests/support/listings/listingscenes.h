@@ -14,6 +14,8 @@ namespace pixelplumb {
 /// Frames cut some of them, begin at negative coordinates, or have y pointing down.
 Scene oddTriangleScene(int number, std::mt19937 &random);
 
+BigRational inPixels(Lattice units);
+
 /// The coordinates and levels of a triangle as given: x₀, y₀, R₀ …
 ListingNames vertexNames(const Triangle &triangle, const FrameSpec &frame);
 /// The numbers of the first primitive's set-up, by their titles.
@@ -25,6 +27,9 @@ ListingRun::Pixels pixelsOf(const TracedScene &traced);
 
 /// The arithmetics of a method in which its listing is run.
 std::vector<Arithmetic> listedArithmetics(const Method &method);
+
+/// How pixels that listings drew differ from the kernel's; empty if they do not.
+QString differenceOf(const ListingRun::Pixels &pixels, const TracedScene &traced);
 
 /// Runs a listing of the scene's first primitive in the scene's arithmetic; says how its picture
 /// differs from the kernel's, or why it cannot be run. Empty if the two are the same.

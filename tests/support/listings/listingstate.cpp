@@ -17,9 +17,26 @@ void ListingState::run(const QString &text)
             sortVertices(text, m_exact);
         return;
     }
+    static const QRegularExpression ofCarried(
+        u"^for each carried value v(?: but ([^:]+))?: (.+)$"_s),
+        value(u"(?<![A-Za-z])v(?![A-Za-z])"_s);
+    if (text.startsWith(u"given: "_s))
+        return;
+    if (text.startsWith(u"carry "_s)) {
+        m_carried += text.sliced(6).split(u", "_s);
+        return;
+    }
+    if (const auto match = ofCarried.match(text); match.hasMatch()) {
+        const QStringList left = match.captured(1).split(u" and "_s);
+        for (const QString &carried : QStringList(m_carried)) {
+            if (!left.contains(carried))
+                run(match.captured(2).replace(value, carried));
+        }
+        return;
+    }
     auto statements = m_spelledOut.find(text);
     if (statements == m_spelledOut.end())
-        statements = m_spelledOut.emplace(text, spelledOut(text)).first;
+        statements = m_spelledOut.emplace(text, spelledOut(text, m_carried)).first;
     for (const QString &statement : statements->second)
         runStatement(statement);
 }
@@ -36,6 +53,8 @@ void ListingState::runStatement(const QString &text)
         exchangeAxes();
     else if (text == u"exchange i and j"_s)
         std::swap(m_edge[0], m_edge[1]);
+    else if (text.startsWith(u"on to the next "_s))
+        m_leaves = true;
     else if (text.contains(assigns))
         assign(text);
     else
@@ -58,14 +77,49 @@ void ListingState::assign(const QString &statement)
 {
     const QStringList names = statement.section(assigns, 0, 0).split(u", "_s);
     const QString right = chosen(statement.section(assigns, 1));
-    const QStringList expressions = names.size() == 1 ? QStringList(right) : right.split(u", "_s);
-    if (names.size() != expressions.size())
+    const std::vector<Result> results
+        = names.size() == 1 && !isCall(right) ? std::vector{resultOf(right)} : resultsOf(right);
+    if (names.size() != qsizetype(results.size()))
         throw ListingFault(u"unequal sides: "_s + statement);
-    std::vector<Result> results;
-    for (const QString &expression : expressions)
-        results.push_back(resultOf(chosen(expression)));
     for (qsizetype i = 0; i < names.size(); ++i)
         set(names[i], results[std::size_t(i)]);
+}
+
+/// The values of "A, B"; of "the bytes of A, B", "pixel (x, y)" and a given function's call.
+std::vector<ListingState::Result> ListingState::resultsOf(const QString &right) const
+{
+    static const QRegularExpression ofCall(u"^(\\w+)\\((.+)\\)$"_s),
+        ofBytes(u"^the bytes? of (.+)$"_s), ofPixel(u"^pixel \\((.+)\\)$"_s);
+    std::vector<Result> results;
+    const auto append = [&results](const Number &value) { results.push_back({value, value}); };
+    if (const auto pixel = ofPixel.match(right); pixel.hasMatch()) {
+        const QRgb colour = pixelAt(pixel.captured(1));
+        for (const int byte : {qRed(colour), qGreen(colour), qBlue(colour)})
+            append(byte);
+        return results;
+    }
+    if (const auto bytes = ofBytes.match(right); bytes.hasMatch()) {
+        for (const QString &level : bytes.captured(1).split(u", "_s))
+            append(byteOf(level));
+        return results;
+    }
+    if (const auto call = ofCall.match(right); call.hasMatch() && isCall(right)) {
+        std::vector<Number> arguments;
+        for (const QString &argument : call.captured(2).split(u", "_s))
+            arguments.push_back(valueOf(argument));
+        for (const Number &value : m_given.at(call.captured(1))(arguments))
+            append(value);
+        return results;
+    }
+    for (const QString &expression : right.split(u", "_s))
+        results.push_back(resultOf(chosen(expression)));
+    return results;
+}
+
+bool ListingState::isCall(const QString &right) const
+{
+    return right.startsWith(u"the byte"_s) || right.startsWith(u"pixel ("_s)
+        || (right.endsWith(u')') && m_given.contains(right.section(u'(', 0, 0)));
 }
 
 void ListingState::add(const QString &statement)
@@ -113,50 +167,6 @@ void ListingState::exchangeAxes()
     m_exchange = Exchange::Axes;
 }
 
-void ListingState::draw(const QString &statement)
-{
-    static const QRegularExpression pixel(
-        u"^(?:pixel \\((.+)\\)|frame\\[(.+)\\]) ← (?:the bytes of (.+), (.+), (.+)|colour)$"_s);
-    const auto match = pixel.match(statement);
-    if (!match.hasMatch())
-        throw ListingFault(u"draws nothing: "_s + statement);
-    const auto byte = [&](int part, const char *channel) {
-        const QString named = match.captured(part);
-        const Number level
-            = valueOf(named.isEmpty() ? u"colour "_s + QLatin1String(channel) : named);
-        const ListingNames levels = {{u"R"_s, level}};
-        const Number nearest = pixelplumb::valueOf(u"⌊R + ½⌋"_s, levels, m_arithmetic);
-        return std::clamp(nearest, Number(0), Number(255)).convert_to<int>();
-    };
-    const QRgb colour = qRgb(byte(3, "R"), byte(4, "G"), byte(5, "B"));
-    const QString address = match.captured(2);
-    write(address.isEmpty() ? match.captured(1)
-                            : u"x₀ + %1 mod width, y₀ + ⌊%1/width⌋"_s.arg(address),
-          colour);
-}
-
-/// Writes both pixels of "x ± 1".
-void ListingState::write(const QString &place, QRgb colour)
-{
-    const qsizetype both = place.indexOf(u'±');
-    if (both >= 0) {
-        for (const QChar sign : {u'+', u'−'})
-            write(QString(place).replace(both, 1, sign), colour);
-        return;
-    }
-    const auto coordinate = [&](int part) {
-        const Number value = valueOf(place.section(u", "_s, part, part));
-        if (denominator(value) != 1)
-            throw ListingFault(u"is no pixel: "_s + place);
-        return numerator(value).convert_to<std::int64_t>();
-    };
-    std::int64_t x = coordinate(0), y = coordinate(1);
-    if (m_exchange == Exchange::Axes)
-        std::swap(x, y);
-    if (x >= m_box.firstX && x < m_box.endX && y >= m_box.firstY && y < m_box.endY)
-        m_pixels[{x, y}] = colour;
-}
-
 bool ListingState::holds(const QString &condition) const
 {
     return m_keepsExact && m_asked == Asked::Exact
@@ -181,23 +191,28 @@ std::pair<std::int64_t, std::int64_t> ListingState::frameAlong(const QString &co
 void ListingState::sortVertices(const QString &statement, ListingNames &names)
 {
     const bool isByY = statement.startsWith(u"sort the vertices by y"_s);
-    std::array<std::array<Number, 5>, 3> vertices; // in the order x, y, R, G, B
-    const QString letters = u"xyRGB"_s;
+    QStringList values = {u"x"_s, u"y"_s}; // that the vertices have
+    for (const auto &[name, value] : names) {
+        if (name.endsWith(u'₀') && names.contains(name.chopped(1) + u'₂') && name != u"x₀"
+            && name != u"y₀" && !name.contains(u'P'))
+            values.append(name.chopped(1));
+    }
+    std::array<std::vector<Number>, 3> vertices;
     for (std::size_t vertex = 0; vertex < 3; ++vertex)
-        for (std::size_t letter = 0; letter < 5; ++letter)
-            vertices[vertex][letter]
-                = names.at(letters[qsizetype(letter)] + QString(QChar(u'₀' + int(vertex))));
+        for (const QString &value : values)
+            vertices[vertex].push_back(names.at(value + QChar(u'₀' + int(vertex))));
     const auto before = [isByY](const auto &a, const auto &b) {
         return isByY ? std::tuple(b[1], a[0]) < std::tuple(a[1], b[0])
                      : std::tuple(a[0], a[1]) < std::tuple(b[0], b[1]);
     };
     std::ranges::stable_sort(vertices, before);
-    const std::size_t sorted = statement.contains(u"in the order given"_s) ? 2 : 5;
+    if (statement.contains(u"in the order given"_s))
+        values.resize(2);
     const QStringList points = statement.section(u": "_s, 1).section(u';', 0, 0).split(u", "_s);
     for (std::size_t vertex = 0; vertex < 3; ++vertex)
-        for (std::size_t letter = 0; letter < sorted; ++letter)
-            names[letters[qsizetype(letter)] + points[qsizetype(vertex)].sliced(1)]
-                = vertices[vertex][letter];
+        for (qsizetype value = 0; value < values.size(); ++value)
+            names[values[value] + points[qsizetype(vertex)].sliced(1)]
+                = vertices[vertex][std::size_t(value)];
 }
 
 std::vector<ListingState::Number> ListingState::indicesOf(const QString &name) const
@@ -215,12 +230,15 @@ QString ListingState::meant(QString text) const
 {
     static const QRegularExpression both(u"_ij\\b"_s), first(u"_i\\b"_s), second(u"_j\\b"_s),
         index(u"_k\\b"_s);
-    if (!text.contains(u'_') || text.startsWith(u"L_ij"_s))
+    static const QRegularExpression indexed(u"(?<=[A-Za-z])\\[([a-z](?:, [a-z])*)\\]"_s);
+    if (!(text.contains(u'_') || text.contains(u'[')) || text.startsWith(u"L_ij"_s))
         return text;
-    static const QRegularExpression indexed(u"(?<=[a-z])\\[([a-z])\\]"_s);
-    for (auto match = indexed.match(text); match.hasMatch(); match = indexed.match(text))
-        text.replace(match.capturedStart(1), 1,
-                     QString::fromStdString(valueOf(match.captured(1)).str()));
+    for (auto match = indexed.match(text); match.hasMatch(); match = indexed.match(text)) {
+        QStringList indices;
+        for (const QString &each : match.captured(1).split(u", "_s))
+            indices.append(QString::fromStdString(valueOf(each).str()));
+        text.replace(match.capturedStart(1), match.capturedLength(1), indices.join(u','));
+    }
     if (!m_edge.isEmpty())
         text.replace(both, m_edge)
             .replace(first, m_edge.chopped(1))

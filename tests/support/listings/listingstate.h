@@ -6,6 +6,9 @@
 
 #include <QRgb>
 
+#include <functional>
+#include <optional>
+#include <utility>
 #include <vector>
 
 namespace pixelplumb {
@@ -23,6 +26,13 @@ namespace pixelplumb {
 ///   pixel (A, B) ← colour                     the shape's: "colour R", "colour G", "colour B"
 ///   pixel (A ± B, C) ← colour                 both pixels
 ///   frame[A] ← colour
+///   pixel (A, B) ← the mean of its samples    R[k, A, B] and so on for k = 1 … n
+///   A, B, C ← the bytes of R, G, B            A, B, C ← pixel (x, y), its bytes
+///   A, B ← name(C, D)                         a function that the listing's head says is given
+///   carry A, B                                from here on values that the triangle carries
+///   for each carried value v but A and B: …   statements with each one's name for v
+///   on to the next row                        the rest of the loop's round is left out
+///   given: …                                  told to the reader
 /// with the expressions of listinglanguage.h.
 class ListingState {
 public:
@@ -57,6 +67,29 @@ public:
 
     bool knows(const QString &name) const { return m_names.contains(name); }
     void set(const QString &name, const Number &value) { set(name, Result{value, value}); }
+    /// What a listing calls, by name: takes and returns numbers.
+    using Given
+        = std::map<QString, std::function<std::vector<Number>(const std::vector<Number> &)>>;
+    void setGiven(Given given) { m_given = std::move(given); }
+    /// What the pixels hold that the listing has not drawn.
+    void setUnder(Pixels pixels) { m_under = std::move(pixels); }
+    const ListingNames &names() const { return m_names; }
+    /// Forgets the names that are not among these; none if there are none.
+    void keepOnly(const ListingNames &known)
+    {
+        for (ListingNames *names : {&m_names, &m_exact})
+            std::erase_if(*names, [&](const auto &name) {
+                return !known.empty() && !known.contains(name.first);
+            });
+    }
+    /// Whether the rest of a loop's round is left out; asking ends that.
+    bool takesLeave() { return std::exchange(m_leaves, false); }
+    bool leaves() const { return m_leaves; }
+    /// The last pixel that was written; asking forgets it.
+    std::optional<std::pair<std::int64_t, std::int64_t>> takeWritten()
+    {
+        return std::exchange(m_written, {});
+    }
     void setExchange(Exchange exchange) { m_exchange = exchange; }
     /// The samples of the frame along a coordinate that a loop goes through: first and last.
     std::pair<std::int64_t, std::int64_t> frameAlong(const QString &coordinate) const;
@@ -85,6 +118,11 @@ private:
     void exchangeAxes();
     void draw(const QString &statement);
     void write(const QString &place, QRgb colour);
+    Number byteOf(const QString &level) const;
+    std::vector<Result> resultsOf(const QString &right) const;
+    bool isCall(const QString &right) const;
+    QRgb pixelAt(const QString &place) const;
+    QRgb meanAt(const QString &place) const;
 
     ListingNames m_names; ///< as computed
     ListingNames m_exact; ///< without rounding
@@ -95,7 +133,11 @@ private:
     Exchange m_exchange;
     QString m_edge, m_index;
     std::map<QString, QStringList> m_spelledOut; ///< the statements of the texts that were run
-    Pixels m_pixels;
+    Pixels m_pixels, m_under;
+    Given m_given;
+    QStringList m_carried;
+    bool m_leaves = false;
+    std::optional<std::pair<std::int64_t, std::int64_t>> m_written;
 };
 
 } // namespace pixelplumb
