@@ -55,7 +55,7 @@ Pseudocode linesOf(LineOf kind, Pseudocode code);
 Pseudocode edgeWalkPseudocode(const EdgeWalkForm &form);
 Pseudocode edgeTestPseudocode(const EdgeTestForm &form);
 Pseudocode interpolationPseudocode(InterpolationForm form);
-/// With effects beyond colour; the column scan's is that of the bilinear interpolation.
+/// With effects beyond colour, between exact bounds; the column scan's is in walklisting.h.
 Pseudocode shadedPseudocode(InterpolationForm form);
 
 } // namespace pixelplumb
