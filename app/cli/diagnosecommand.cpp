@@ -62,13 +62,13 @@ std::size_t synonymsIn(const Diagnosis &diagnosis)
     return std::size_t(std::ranges::find_if_not(all, isEqual) - all.begin());
 }
 
-/// "the same pictures come of slack-of-one; slack-of-half"
+/// "the same pictures also come from slack-of-one; slack-of-half"
 QString synonymsText(std::span<const DiagnosisCandidate> others)
 {
     QStringList names;
     for (const DiagnosisCandidate &candidate : others)
         names += candidate.ids().join(u" and "_s);
-    return u"    the same pictures come of "_s + names.join(u"; "_s);
+    return u"    the same pictures also come from "_s + names.join(u"; "_s);
 }
 
 } // namespace

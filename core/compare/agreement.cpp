@@ -17,15 +17,25 @@ QString nameOf(Disagreement reason)
 QString textOf(Disagreement reason)
 {
     static constexpr std::array texts
-        = {"All agree.",
-           "The sample lies exactly on an edge, and the fill rules give it to different sides.",
-           "A primitive of a kind that one of the methods does not draw covers the pixel.",
-           "The same coverage; a level close to a rounding limit fell to the other side.",
-           "The number type could hold the number that decides, but the increments added up to "
-           "another one.",
-           "The number type cannot hold the number that decides closely enough.",
-           "The method itself departs from the truth, in exact arithmetic too.",
-           "The recording ended at its limit before this pixel."};
+        = {QT_TRANSLATE_NOOP("core", "All agree."),
+           QT_TRANSLATE_NOOP("core",
+                             "The sample lies exactly on an edge, where the fill rules disagree."),
+           QT_TRANSLATE_NOOP(
+               "core",
+               "One of the methods does not draw the kind of primitive that covers this pixel."),
+           QT_TRANSLATE_NOOP(
+               "core",
+               "The coverage is the same, but a level close to a rounding limit was rounded the "
+               "other way."),
+           QT_TRANSLATE_NOOP(
+               "core",
+               "The number type can represent the exact value, but the accumulated increments "
+               "missed it."),
+           QT_TRANSLATE_NOOP("core",
+                             "The number type cannot represent the deciding value closely enough."),
+           QT_TRANSLATE_NOOP("core",
+                             "The method itself differs from the truth, even in exact arithmetic."),
+           QT_TRANSLATE_NOOP("core", "The recording reached its limit before this pixel.")};
     static_assert(texts.size() == std::size_t(Disagreement::NotRecorded) + 1);
     return QString::fromUtf8(texts[std::size_t(reason)]);
 }

@@ -68,8 +68,8 @@ QString precisionText(const Deviation &deviation, const JudgedRun &run, const QS
     const bool isShape = deviation.primitive && !run.primitives->isTriangle(*deviation.primitive);
     if (!isShape
         || trace.setUp(*deviation.primitive).rejection == PrimitiveRejection::NotRepresentable)
-        return u"%1 cannot hold the numbers that decide"_s.arg(arithmetic);
-    return u"%1 rounds the numbers that decide"_s.arg(arithmetic);
+        return u"%1 cannot represent the deciding numbers"_s.arg(arithmetic);
+    return u"%1 rounds the deciding numbers"_s.arg(arithmetic);
 }
 
 QString causeText(const Deviation &deviation, const JudgedRun &run)
@@ -84,16 +84,16 @@ QString causeText(const Deviation &deviation, const JudgedRun &run)
         return u"the rounding of one level"_s;
     case Disagreement::Drift:
         return deviation.bound == DecidingBound::None
-            ? u"the increments in %1 added up to another number"_s.arg(arithmetic)
-            : u"%1 could hold the exact bound, but the increments added up to a different one"_s
-                  .arg(arithmetic);
+            ? u"the increments accumulated in %1 missed the exact value"_s.arg(arithmetic)
+            : u"%1 can represent the exact bound, but the accumulated increments missed it"_s.arg(
+                arithmetic);
     case Disagreement::Precision:
         return precisionText(deviation, run, arithmetic);
     case Disagreement::Method:
         return run.traced->method->supports(Arithmetic::Exact)
-            ? u"the method does so in exact arithmetic too"_s
-            : u"caused by the method or by %1: without exact arithmetic there is no "
-              "telling which"_s.arg(arithmetic);
+            ? u"the method does so even in exact arithmetic"_s
+            : u"caused by the method or by %1; without exact arithmetic one cannot tell which"_s
+                  .arg(arithmetic);
     case Disagreement::NotRecorded:
         return u"the recording ended before this pixel"_s;
     }

@@ -35,14 +35,15 @@ std::string_view textOf(FastReason reason)
            "in exact arithmetic only the rules closed and half-open-column have fast kernels",
            "the frame has fewer than 16 columns",
            "a corner is more than 2^15 px from the frame's first pixel",
-           "zero area: a segment, coloured along its edge",
+           "the area is zero: a segment, coloured along its edge",
            "no 64-bit colour word is exact: 4 A' (n + 1) is 2^56 or more",
-           "its box is at most 32 columns wide and 63 px high: one or two vectors a row",
-           "its box fits into one strip",
-           "its box is at least four times as wide as high",
-           "its box has many rows: a strip's start costs little",
-           "one colour over a large box: long runs of stores",
-           "the assignment's own additions, a column in each lane"};
+           "its bounding box is at most 32 columns wide and 63 px high, so each row is one or "
+           "two vectors",
+           "its bounding box fits into one strip",
+           "its bounding box is at least four times as wide as high",
+           "its bounding box is tall, so starting a strip costs comparatively little",
+           "one colour fills a large bounding box, so stores come in long runs",
+           "each lane makes the assignment's own additions for one column"};
     static_assert(names.size() == std::size_t(FastReason::FloatIncrements) + 1);
     return names[std::size_t(reason)];
 }

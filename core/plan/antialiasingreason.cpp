@@ -49,10 +49,10 @@ QString antialiasingReason(const Primitives &primitives, const NeedsTally &tally
         return nothingAntialiased(primitives);
     if (!isCalledFor)
         return antialiasing == Antialiasing::Area
-            ? QStringLiteral(
-                "no edge parts a pixel of the frame: each is covered whole or not at all")
-            : QStringLiteral(
-                  "no edge of a %1 meets a pixel of the frame: each is drawn once, at its centre")
+            ? QStringLiteral("no edge crosses a pixel of the frame: each pixel is covered "
+                             "entirely or not at all")
+            : QStringLiteral("no edge of a %1 meets a pixel of the frame: each pixel is sampled "
+                             "once, at its centre")
                   .arg(tally.askedTriangles == 0 ? QStringLiteral("stroke")
                                                  : QStringLiteral("triangle with an area"));
     switch (antialiasing) {
@@ -63,7 +63,7 @@ QString antialiasingReason(const Primitives &primitives, const NeedsTally &tally
     case Antialiasing::Samples16:
         return ofSamples(16);
     case Antialiasing::Area:
-        return QStringLiteral("the scene asks for the exact area that a %1 has of a pixel")
+        return QStringLiteral("the scene asks for the exact area of each pixel that a %1 covers")
             .arg(antialiasedWord(tally));
     }
     return {};

@@ -21,28 +21,29 @@ QString depthReason(const DepthAnswer &answer, const SampledFrame &where)
 {
     using Ground = DepthAnswer::Ground;
     const bool isByArea = where.antialiasing == Antialiasing::Area;
-    const QString byCentres = "at the centre of every pixel in which two triangles are both drawn, "
-                              "the later one is nearer or as near";
+    const QString byCentres = "in every pixel where two triangles are drawn, the later one is at "
+                              "least as near at the pixel's centre";
     switch (answer.ground) {
     case Ground::FewTriangles:
-        return QStringLiteral("no two triangles are drawn in the frame");
+        return QStringLiteral("fewer than two triangles are drawn in the frame");
     case Ground::SameDepth:
-        return QStringLiteral("all triangles that are drawn in the frame have the same depth");
+        return QStringLiteral("all triangles drawn in the frame have the same depth");
     case Ground::InOrder:
-        return QStringLiteral(
-            "each triangle that is drawn in the frame is nearer than all before it, or as near");
+        return QStringLiteral("each triangle drawn in the frame is at least as near as all before "
+                              "it");
     case Ground::Apart:
-        return QStringLiteral("no two triangles that are drawn in the frame overlap");
+        return QStringLiteral("the triangles drawn in the frame do not overlap");
     case Ground::NotBehind:
         if (isByArea)
             return byCentres;
         return where.rule == FillRule::Closed // the others give no sample to both that touch there
-            ? QStringLiteral("where triangles overlap or touch, the later one is nearer or as near")
-            : QStringLiteral("where triangles overlap, the later one is nearer or as near");
+            ? QStringLiteral("where triangles overlap or touch, the later one is at least as near")
+            : QStringLiteral("where triangles overlap, the later one is at least as near");
     case Ground::NoSample:
-        return isByArea ? byCentres
-                        : QStringLiteral("at every sample that two triangles cover, the later one "
-                                         "is nearer or as near");
+        return isByArea
+            ? byCentres
+            : QStringLiteral("at every sample that two triangles cover, the later one is at least "
+                             "as near");
     case Ground::Witness:
         return QStringLiteral("at pixel (%1, %2) triangle %3 lies behind triangle %4, which is "
                               "drawn before it")

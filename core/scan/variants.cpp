@@ -68,8 +68,9 @@ constexpr VariantWords noColourPreStep = {
     "R = R_B",
     "R = R_B + (⌈y_B⌉ − y_B)·ΔR",
     "Assignment (Borst), “Smoothly shading the triangle”, which warns of it",
-    "Each span's colours lag by the distance from its bound to its first sample, which jumps from "
-    "span to span: stripes across the gradient.",
+    "Each span starts with the colour at its bound, not with the "
+    "colour at its first sample. The distance between the two varies "
+    "from span to span, which shows as stripes across the gradient.",
 };
 constexpr VariantWords noEdgePreStep = {
     "No pre-step of edges",

@@ -456,10 +456,6 @@
         <translation>Zufällig, ganze Pixel</translation>
     </message>
     <message>
-        <source>Random, %1/%2 px</source>
-        <translation>Zufällig, %1/%2 px</translation>
-    </message>
-    <message>
         <source>Slivers</source>
         <translation>Splitter</translation>
     </message>
@@ -610,10 +606,6 @@
     <message>
         <source>right in coverage</source>
         <translation>richtig in der Abdeckung</translation>
-    </message>
-    <message>
-        <source>undecidable in coverage</source>
-        <translation>unentscheidbar in der Abdeckung</translation>
     </message>
     <message>
         <source>cannot be graded</source>
@@ -960,10 +952,6 @@
         <translation>Bilder richtig</translation>
     </message>
     <message>
-        <source>pictures undecidable</source>
-        <translation>Bilder unentscheidbar</translation>
-    </message>
-    <message>
         <source>breaks runs</source>
         <translation>verletzt runs</translation>
     </message>
@@ -998,6 +986,350 @@
     <message>
         <source>did not draw what invariants ask</source>
         <translation>zeichnete nicht, was die Invarianten fragen</translation>
+    </message>
+    <message>
+        <source>right within leeway</source>
+        <translation>richtig im Spielraum</translation>
+    </message>
+    <message>
+        <source>right within leeway in coverage</source>
+        <translation>richtig im Spielraum in der Abdeckung</translation>
+    </message>
+    <message>
+        <source>pictures right within leeway</source>
+        <translation>Bilder richtig im Spielraum</translation>
+    </message>
+    <message>
+        <source>Random, %1 px</source>
+        <translation>Zufällig, %1 px</translation>
+    </message>
+    <message>
+        <source>half</source>
+        <translation>Hälfte</translation>
+    </message>
+    <message>
+        <source>trapezoid</source>
+        <translation>Trapez</translation>
+    </message>
+    <message>
+        <source>edges</source>
+        <translation>Kanten</translation>
+    </message>
+    <message>
+        <source>contours</source>
+        <translation>Konturen</translation>
+    </message>
+    <message>
+        <source>first R</source>
+        <translation>erstes R</translation>
+    </message>
+    <message>
+        <source>first G</source>
+        <translation>erstes G</translation>
+    </message>
+    <message>
+        <source>first B</source>
+        <translation>erstes B</translation>
+    </message>
+    <message>
+        <source>first C</source>
+        <translation>erstes C</translation>
+    </message>
+    <message>
+        <source>first row</source>
+        <translation>erste Zeile</translation>
+    </message>
+    <message>
+        <source>last row</source>
+        <translation>letzte Zeile</translation>
+    </message>
+    <message>
+        <source>first column</source>
+        <translation>erste Spalte</translation>
+    </message>
+    <message>
+        <source>last column</source>
+        <translation>letzte Spalte</translation>
+    </message>
+    <message>
+        <source>the first row</source>
+        <translation>die erste Zeile</translation>
+    </message>
+    <message>
+        <source>the last row</source>
+        <translation>die letzte Zeile</translation>
+    </message>
+    <message>
+        <source>the first column</source>
+        <translation>die erste Spalte</translation>
+    </message>
+    <message>
+        <source>the last column</source>
+        <translation>die letzte Spalte</translation>
+    </message>
+    <message>
+        <source>the number of pixels</source>
+        <translation>die Anzahl der Pixel</translation>
+    </message>
+    <message>
+        <source>closed</source>
+        <translation>geschlossen</translation>
+    </message>
+    <message>
+        <source>half-open-column</source>
+        <translation>Spalte halboffen</translation>
+    </message>
+    <message>
+        <source>top-left</source>
+        <translation>oben-links</translation>
+    </message>
+    <message>
+        <source>off-screen-point</source>
+        <translation>Punkt außen</translation>
+    </message>
+    <message>
+        <source>open</source>
+        <translation>offen</translation>
+    </message>
+    <message>
+        <source>nearest</source>
+        <translation>gerundet</translation>
+    </message>
+    <message>
+        <source>truncate</source>
+        <translation>gekappt</translation>
+    </message>
+    <message>
+        <source>Sorted by x: P₀ = vertex %1 (%2, %3), P₁ = vertex %4 (%5, %6), P₂ = vertex %7 (%8, %9).</source>
+        <translation>Nach x sortiert: P₀ = Eckpunkt %1 (%2, %3), P₁ = Eckpunkt %4 (%5, %6), P₂ = Eckpunkt %7 (%8, %9).</translation>
+    </message>
+    <message>
+        <source>Sorted by y, the largest first: P₀ = vertex %1 (%2, %3), P₁ = vertex %4 (%5, %6), P₂ = vertex %7 (%8, %9).</source>
+        <translation>Nach y sortiert, das größte zuerst: P₀ = Eckpunkt %1 (%2, %3), P₁ = Eckpunkt %4 (%5, %6), P₂ = Eckpunkt %7 (%8, %9).</translation>
+    </message>
+    <message>
+        <source>Sorted by y, the largest first: P₀ = (%1, %2), P₂ = (%3, %4).</source>
+        <translation>Nach y sortiert, das größte zuerst: P₀ = (%1, %2), P₂ = (%3, %4).</translation>
+    </message>
+    <message>
+        <source>It has no area: the closed rule paints the samples on its segment, coloured along L₀₂.</source>
+        <translation>Es hat keine Fläche: Die geschlossene Regel malt die Abtastpunkte auf seiner Strecke, gefärbt entlang L₀₂.</translation>
+    </message>
+    <message>
+        <source>It has no area: its vertices lie on one line, and only a triangle under the closed rule is drawn as a segment.</source>
+        <translation>Es hat keine Fläche: Die Eckpunkte liegen auf einer Geraden, und nur ein Dreieck unter der geschlossenen Regel wird als Strecke gezeichnet.</translation>
+    </message>
+    <message>
+        <source>It lies outside the frame.</source>
+        <translation>Es liegt außerhalb der Bildfläche.</translation>
+    </message>
+    <message>
+        <source>Nothing is drawn.</source>
+        <translation>Nichts wird gezeichnet.</translation>
+    </message>
+    <message>
+        <source>It reaches into the frame, but by the run&apos;s tests no sample of the frame belongs to it.</source>
+        <translation>Es reicht in die Bildfläche, aber nach den Prüfungen des Laufs gehört ihm kein Abtastpunkt der Bildfläche.</translation>
+    </message>
+    <message>
+        <source>All coordinates are counted from the centre of pixel (%1, %2): ½ px less than the scene&apos;s.</source>
+        <translation>Alle Koordinaten zählen von der Mitte des Pixels (%1, %2) aus: ½ px weniger als in der Szene.</translation>
+    </message>
+    <message>
+        <source>The bounds are equal, so there is no change to spread between them, and no Δ.</source>
+        <translation>Die Grenzen sind gleich, also gibt es zwischen ihnen keine Änderung zu verteilen und kein Δ.</translation>
+    </message>
+    <message>
+        <source>Each level is computed from P₀ anew.</source>
+        <translation>Jede Farbstufe wird von P₀ aus neu berechnet.</translation>
+    </message>
+    <message>
+        <source>L₀₁ and L₁₂ give y_B, L₀₂ gives y_T.</source>
+        <translation>L₀₁ und L₁₂ geben y_B, L₀₂ gibt y_T.</translation>
+    </message>
+    <message>
+        <source>L₀₂ gives y_B, L₀₁ and L₁₂ give y_T.</source>
+        <translation>L₀₂ gibt y_B, L₀₁ und L₁₂ geben y_T.</translation>
+    </message>
+    <message>
+        <source>x₀ = x₁: L₀₁ has no slope, and the first half is skipped.</source>
+        <translation>x₀ = x₁: L₀₁ hat keine Steigung, und die erste Hälfte wird übersprungen.</translation>
+    </message>
+    <message>
+        <source>x₁ = x₂: L₁₂ has no slope, and the second half is one column at most.</source>
+        <translation>x₁ = x₂: L₁₂ hat keine Steigung, und die zweite Hälfte ist höchstens eine Spalte.</translation>
+    </message>
+    <message>
+        <source>The scan starts in the second half, between L₁₂ and L₀₂.</source>
+        <translation>Die Rasterung beginnt in der zweiten Hälfte, zwischen L₁₂ und L₀₂.</translation>
+    </message>
+    <message>
+        <source>At x₁ the scan stops tracking L₀₁ and starts L₁₂ at P₁.</source>
+        <translation>Bei x₁ verlässt die Rasterung L₀₁ und beginnt L₁₂ bei P₁.</translation>
+    </message>
+    <message>
+        <source>Between y_B = %1 and y_T = %2 the fill rule takes no sample of the frame.</source>
+        <translation>Zwischen y_B = %1 und y_T = %2 nimmt die Füllregel keinen Abtastpunkt der Bildfläche.</translation>
+    </message>
+    <message>
+        <source>y_B = %1 and y_T = %2 have just the row %3 between them, exactly on an edge, and the fill rule does not take it.</source>
+        <translation>Zwischen y_B = %1 und y_T = %2 liegt nur die Zeile %3, genau auf einer Kante, und die Füllregel nimmt sie nicht.</translation>
+    </message>
+    <message>
+        <source>y_B = %1 and y_T = %2 have just the rows %3 and %4 between them, exactly on edges, and the fill rule takes neither.</source>
+        <translation>Zwischen y_B = %1 und y_T = %2 liegen nur die Zeilen %3 und %4, genau auf Kanten, und die Füllregel nimmt keine davon.</translation>
+    </message>
+    <message>
+        <source>y_B = %1 and y_T = %2 cover the row %3.</source>
+        <translation>y_B = %1 und y_T = %2 bedecken die Zeile %3.</translation>
+    </message>
+    <message>
+        <source>y_B = %1 and y_T = %2 cover the rows %3 to %4.</source>
+        <translation>y_B = %1 und y_T = %2 bedecken die Zeilen %3 bis %4.</translation>
+    </message>
+    <message>
+        <source>Without a pre-step, an edge that begins here has its vertex&apos;s values, wherever between two columns the vertex lies.</source>
+        <translation>Ohne Vorschritt hat eine Kante, die hier beginnt, die Werte ihres Eckpunkts, wo auch immer er zwischen zwei Spalten liegt.</translation>
+    </message>
+    <message>
+        <source>Without a pre-step, the first row has the colours of y_B: (⌈y_B⌉ − y_B)·Δ is left out.</source>
+        <translation>Ohne Vorschritt hat die erste Zeile die Farben von y_B: (⌈y_B⌉ − y_B)·Δ fehlt.</translation>
+    </message>
+    <message>
+        <source>The column&apos;s first pixel takes the starting values of R, G and B.</source>
+        <translation>Das erste Pixel der Spalte bekommt die Anfangswerte von R, G und B.</translation>
+    </message>
+    <message>
+        <source>The next row: each level changes by its Δ.</source>
+        <translation>Die nächste Zeile: Jede Farbstufe ändert sich um ihr Δ.</translation>
+    </message>
+    <message>
+        <source>the second half comes first: L₁₂ and L₀₂</source>
+        <translation>die zweite Hälfte kommt zuerst: L₁₂ und L₀₂</translation>
+    </message>
+    <message>
+        <source>x₁ reached: L₁₂ takes over from L₀₁</source>
+        <translation>x₁ erreicht: L₁₂ löst L₀₁ ab</translation>
+    </message>
+    <message>
+        <source>L₀₁ and L₁₂ give x_L, L₀₂ gives x_R.</source>
+        <translation>L₀₁ und L₁₂ geben x_L, L₀₂ gibt x_R.</translation>
+    </message>
+    <message>
+        <source>L₀₂ gives x_L, L₀₁ and L₁₂ give x_R.</source>
+        <translation>L₀₂ gibt x_L, L₀₁ und L₁₂ geben x_R.</translation>
+    </message>
+    <message>
+        <source>y₀ = y₁: L₀₁ has no slope, and the first trapezoid is skipped.</source>
+        <translation>y₀ = y₁: L₀₁ hat keine Steigung, und das erste Trapez wird übersprungen.</translation>
+    </message>
+    <message>
+        <source>y₁ = y₂: L₁₂ has no slope, and the second trapezoid is one row at most.</source>
+        <translation>y₁ = y₂: L₁₂ hat keine Steigung, und das zweite Trapez ist höchstens eine Zeile.</translation>
+    </message>
+    <message>
+        <source>The scan starts in the second trapezoid, between L₁₂ and L₀₂.</source>
+        <translation>Die Rasterung beginnt im zweiten Trapez, zwischen L₁₂ und L₀₂.</translation>
+    </message>
+    <message>
+        <source>At y₁ the scan stops tracking L₀₁ and starts L₁₂ at P₁.</source>
+        <translation>Bei y₁ verlässt die Rasterung L₀₁ und beginnt L₁₂ bei P₁.</translation>
+    </message>
+    <message>
+        <source>Between x_L = %1 and x_R = %2 the fill rule takes no sample of the frame.</source>
+        <translation>Zwischen x_L = %1 und x_R = %2 nimmt die Füllregel keinen Abtastpunkt der Bildfläche.</translation>
+    </message>
+    <message>
+        <source>x_L = %1 and x_R = %2 have just the column %3 between them, exactly on an edge, and the fill rule does not take it.</source>
+        <translation>Zwischen x_L = %1 und x_R = %2 liegt nur die Spalte %3, genau auf einer Kante, und die Füllregel nimmt sie nicht.</translation>
+    </message>
+    <message>
+        <source>x_L = %1 and x_R = %2 have just the columns %3 and %4 between them, exactly on edges, and the fill rule takes neither.</source>
+        <translation>Zwischen x_L = %1 und x_R = %2 liegen nur die Spalten %3 und %4, genau auf Kanten, und die Füllregel nimmt keine davon.</translation>
+    </message>
+    <message>
+        <source>x_L = %1 and x_R = %2 cover the column %3.</source>
+        <translation>x_L = %1 und x_R = %2 bedecken die Spalte %3.</translation>
+    </message>
+    <message>
+        <source>x_L = %1 and x_R = %2 cover the columns %3 to %4.</source>
+        <translation>x_L = %1 und x_R = %2 bedecken die Spalten %3 bis %4.</translation>
+    </message>
+    <message>
+        <source>Without a pre-step, an edge that begins here has its vertex&apos;s values, wherever between two rows the vertex lies.</source>
+        <translation>Ohne Vorschritt hat eine Kante, die hier beginnt, die Werte ihres Eckpunkts, wo auch immer er zwischen zwei Zeilen liegt.</translation>
+    </message>
+    <message>
+        <source>Without a pre-step, the first column has the colours of x_L: (⌈x_L⌉ − x_L)·Δ is left out.</source>
+        <translation>Ohne Vorschritt hat die erste Spalte die Farben von x_L: (⌈x_L⌉ − x_L)·Δ fehlt.</translation>
+    </message>
+    <message>
+        <source>The row&apos;s first pixel takes the starting values of R, G and B.</source>
+        <translation>Das erste Pixel der Zeile bekommt die Anfangswerte von R, G und B.</translation>
+    </message>
+    <message>
+        <source>The next column: each level changes by its Δ.</source>
+        <translation>Die nächste Spalte: Jede Farbstufe ändert sich um ihr Δ.</translation>
+    </message>
+    <message>
+        <source>the second trapezoid comes first: L₁₂ and L₀₂</source>
+        <translation>das zweite Trapez kommt zuerst: L₁₂ und L₀₂</translation>
+    </message>
+    <message>
+        <source>y₁ reached: L₁₂ takes over from L₀₁</source>
+        <translation>y₁ erreicht: L₁₂ löst L₀₁ ab</translation>
+    </message>
+    <message>
+        <source>In English: %1</source>
+        <translation>Auf Englisch: %1</translation>
+    </message>
+    <message>
+        <source>All agree.</source>
+        <translation>Alle stimmen überein.</translation>
+    </message>
+    <message>
+        <source>The sample lies exactly on an edge, where the fill rules disagree.</source>
+        <translation>Der Abtastpunkt liegt genau auf einer Kante, wo die Füllregeln sich unterscheiden.</translation>
+    </message>
+    <message>
+        <source>One of the methods does not draw the kind of primitive that covers this pixel.</source>
+        <translation>Eines der Verfahren zeichnet die Art von Primitiv nicht, die dieses Pixel bedeckt.</translation>
+    </message>
+    <message>
+        <source>The coverage is the same, but a level close to a rounding limit was rounded the other way.</source>
+        <translation>Die Abdeckung ist dieselbe, aber eine Farbstufe nahe der Rundungsgrenze wurde zur anderen Seite gerundet.</translation>
+    </message>
+    <message>
+        <source>The number type can represent the exact value, but the accumulated increments missed it.</source>
+        <translation>Der Zahlentyp kann den exakten Wert darstellen, aber die Summe der Zuwächse hat ihn verfehlt.</translation>
+    </message>
+    <message>
+        <source>The number type cannot represent the deciding value closely enough.</source>
+        <translation>Der Zahlentyp kann den entscheidenden Wert nicht genau genug darstellen.</translation>
+    </message>
+    <message>
+        <source>The method itself differs from the truth, even in exact arithmetic.</source>
+        <translation>Das Verfahren selbst weicht von der Wahrheit ab, auch in exakter Arithmetik.</translation>
+    </message>
+    <message>
+        <source>The recording reached its limit before this pixel.</source>
+        <translation>Die Aufzeichnung erreichte ihre Grenze vor diesem Pixel.</translation>
+    </message>
+    <message>
+        <source>tri</source>
+        <translation>Dreieck</translation>
+    </message>
+    <message>
+        <source>the first R</source>
+        <translation>das erste R</translation>
+    </message>
+    <message>
+        <source>the first G</source>
+        <translation>das erste G</translation>
+    </message>
+    <message>
+        <source>the first B</source>
+        <translation>das erste B</translation>
     </message>
 </context>
 <context>
@@ -1066,7 +1398,7 @@
         <translation>CSV-Tabellen (*.csv)</translation>
     </message>
     <message>
-        <source>There is no command: the scene had not been saved when measured. Save it and run the lab again.</source>
+        <source>There is no command because the scene was not saved when it was measured. Save it and run the lab again.</source>
         <translation>Es gibt keinen Befehl: Die Szene war in keiner Datei, als gemessen wurde. Erst speichern, dann noch einmal messen.</translation>
     </message>
     <message>
@@ -1074,7 +1406,7 @@
         <translation>Der Befehl ist in der Zwischenablage.</translation>
     </message>
     <message>
-        <source>Cancelled before anything was timed: the results before it stay.</source>
+        <source>Cancelled before anything was timed; the earlier results stay.</source>
         <translation>Abgebrochen, bevor etwas gemessen war: Die vorigen Ergebnisse bleiben.</translation>
     </message>
     <message>
@@ -1082,7 +1414,7 @@
         <translation>Die ersten Bilder werden beurteilt.</translation>
     </message>
     <message>
-        <source>Results before this run, until it has times of this family.</source>
+        <source>These are the results of the previous run, until this run has times for this family.</source>
         <translation>Ergebnisse von vor diesem Lauf, bis er Zeiten dieser Familie hat.</translation>
     </message>
     <message>
@@ -1090,7 +1422,7 @@
         <translation>Hier gibt es kein falsches Pixel anzusehen.</translation>
     </message>
     <message>
-        <source>A table stands in front: choose the tab of a chart.</source>
+        <source>The table is in front: choose the tab of a chart.</source>
         <translation>Vorn steht eine Tabelle: erst den Reiter eines Diagramms wählen.</translation>
     </message>
     <message>
@@ -1184,10 +1516,6 @@
         <translation>Bild des Dreiecks verschieben</translation>
     </message>
     <message>
-        <source>Expected picture</source>
-        <translation>Erwartetes Bild</translation>
-    </message>
-    <message>
         <source>The student&apos;s picture (S); hold Shift for the expected one</source>
         <translation>Das eingereichte Bild (S); Umschalt halten für das erwartete</translation>
     </message>
@@ -1202,6 +1530,10 @@
     <message>
         <source>x; y in px: whole numbers, decimals and fractions such as 53/2</source>
         <translation>x; y in px: ganze Zahlen, Dezimalzahlen mit Punkt und Brüche wie 53/2</translation>
+    </message>
+    <message>
+        <source>Expected picture</source>
+        <translation>Erwartetes Bild</translation>
     </message>
 </context>
 <context>
@@ -1436,7 +1768,7 @@
     </message>
     <message>
         <source>? hidden by Predict</source>
-        <translation>? von „Vorhersagen“ verborgen</translation>
+        <translation>? verborgen</translation>
     </message>
 </context>
 <context>
@@ -1616,16 +1948,8 @@
 <context>
     <name>pixelplumb::DiagnosisView</name>
     <message>
-        <source>Right: no pixel differs, there is no bug to name.</source>
-        <translation>Richtig: Kein Pixel weicht ab, es gibt keinen Programmfehler zu benennen.</translation>
-    </message>
-    <message>
         <source>Wrong.</source>
         <translation>Falsch.</translation>
-    </message>
-    <message>
-        <source>Undecidable: what differs lies on an edge, where fill rules differ, or within the rounding error of float32.</source>
-        <translation>Unentscheidbar: Was abweicht, liegt auf Kanten, wo Regeln verschieden sind, oder in dem, was Rundung in float32 bewirken darf.</translation>
     </message>
     <message>
         <source>The search for defects ended in an error: %1.</source>
@@ -1654,13 +1978,6 @@
         <source> and </source>
         <translation> und </translation>
     </message>
-    <message numerus="yes">
-        <source> · %n pixels are left</source>
-        <translation>
-            <numerusform> · %n Pixel bleibt</numerusform>
-            <numerusform> · %n Pixel bleiben</numerusform>
-        </translation>
-    </message>
     <message>
         <source>Naming the bug</source>
         <translation>Benennen des Fehlers</translation>
@@ -1670,7 +1987,7 @@
         <translation>&amp;Fehler benennen</translation>
     </message>
     <message>
-        <source>Find the known defects, one or two, that draw this very picture</source>
+        <source>Find the one or two known defects that draw exactly this picture</source>
         <translation>Die bekannten Defekte finden, einen oder zwei, die genau dieses Bild zeichnen</translation>
     </message>
     <message>
@@ -1682,7 +1999,7 @@
         <translation>Wessen Worte</translation>
     </message>
     <message>
-        <source>For whom. Student: where to look. Assistant: what was done.</source>
+        <source>Who reads it. Student: where to look. Assistant: what the program does.</source>
         <translation>Für wen. Studierende: wo zu suchen ist. Betreuung: was getan wurde.</translation>
     </message>
     <message>
@@ -1710,7 +2027,7 @@
         <translation>Im Schrittablauf öffnen</translation>
     </message>
     <message>
-        <source>Run the scene with these defects and go to the first step that differs from the right run; if no run can have them, show the right run at that step</source>
+        <source>Run the scene with these defects and go to the first step that differs from the right run. If no run can have these defects, show that step of the right run</source>
         <translation>Die Szene mit diesen Defekten laufen lassen, beim ersten Schritt, der vom richtigen Lauf abweicht; wo kein Lauf sie hat, den richtigen Lauf bei diesem Schritt</translation>
     </message>
     <message>
@@ -1742,14 +2059,29 @@
         <translation>Erste falsche Zahl: Schritt %1, %2: %3.</translation>
     </message>
     <message>
-        <source>Known bugs produce this picture, except for pixels that may be either way:</source>
-        <translation>Bekannte Defekte zeichnen dieses Bild, bis auf Pixel, die so oder so sein dürfen:</translation>
+        <source>Right: no pixel differs, so there is no bug to name.</source>
+        <translation>Richtig: Kein Pixel weicht ab, also gibt es keinen Programmfehler zu benennen.</translation>
+    </message>
+    <message>
+        <source>Right by another fill rule or within rounding: every pixel that differs lies on an edge, where fill rules differ, or within float32 rounding error.</source>
+        <translation>Richtig nach einer anderen Füllregel oder innerhalb der Rundung: Jedes abweichende Pixel liegt auf einer Kante, wo Füllregeln sich unterscheiden, oder innerhalb des Rundungsfehlers von float32.</translation>
+    </message>
+    <message>
+        <source>Known bugs produce this picture, except for pixels that rounding or an edge may decide:</source>
+        <translation>Bekannte Programmfehler zeichnen dieses Bild, bis auf Pixel, die Rundung oder Kante entscheiden darf:</translation>
     </message>
     <message numerus="yes">
-        <source> · but for %n pixels that rounding or an edge may decide</source>
+        <source> · except for %n pixels that rounding or an edge may decide</source>
         <translation>
             <numerusform> · bis auf %n Pixel, das Rundung oder Kante entscheiden darf</numerusform>
             <numerusform> · bis auf %n Pixel, die Rundung oder Kante entscheiden darf</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source> · %n pixels remain unexplained</source>
+        <translation>
+            <numerusform> · %n Pixel bleibt unerklärt</numerusform>
+            <numerusform> · %n Pixel bleiben unerklärt</numerusform>
         </translation>
     </message>
 </context>
@@ -1918,7 +2250,7 @@
         <translation>Messen</translation>
     </message>
     <message>
-        <source>Draw the scene again and again with each effect on and off, all others as called for, by the plain kernels</source>
+        <source>Draw the scene repeatedly with each effect on and off, while all other effects are as called for; by the plain kernels</source>
         <translation>Die Szene wieder und wieder mit jedem Effekt an und aus zeichnen, alle anderen wie gefordert, mit den einfachen Kernen</translation>
     </message>
     <message>
@@ -1955,14 +2287,14 @@
     </message>
     <message>
         <source>reason</source>
-        <translation>Grund</translation>
+        <translation>Grund (englisch)</translation>
     </message>
     <message>
-        <source>How much longer drawing takes with it than without it, for each pixel written</source>
+        <source>How much longer drawing takes with the effect than without it, for each pixel written</source>
         <translation>Wie viel länger das Zeichnen mit ihm dauert als ohne, je geschriebenes Pixel</translation>
     </message>
     <message>
-        <source>With it on, for each pixel written: depths read and written, divisions by 1/w, texels read, normals made unit length, blends, samples</source>
+        <source>With the effect on, for each pixel written: depths read and written, divisions by 1/w, texels read, normals made unit length, blends, samples</source>
         <translation>Mit ihm, je geschriebenes Pixel: Tiefen gelesen und geschrieben, Divisionen durch 1/w, Texel gelesen, Normalen auf Länge 1 gebracht, Überblendungen, Abtastpunkte</translation>
     </message>
     <message>
@@ -1974,7 +2306,7 @@
         <translation>keine</translation>
     </message>
     <message>
-        <source>The frame&apos;s border bounds every loop, at no cost; what lies before the near plane has no place in the frame</source>
+        <source>The frame&apos;s border limits every loop, at no cost; what lies in front of the near plane cannot be drawn</source>
         <translation>Der Rand der Bildfläche begrenzt jede Schleife, ohne Kosten; was vor der vorderen Ebene liegt, hat in der Bildfläche keinen Platz</translation>
     </message>
     <message>
@@ -2002,7 +2334,7 @@
         <translation>Antialiasing, das die Szene verlangt</translation>
     </message>
     <message>
-        <source>Antialiasing that the scene asks for: samples of a pixel, or the exact area; only pixels that an edge passes have more than one</source>
+        <source>The antialiasing that the scene asks for: samples per pixel, or the exact area. Only pixels that an edge crosses have more than one sample</source>
         <translation>Antialiasing, das die Szene verlangt: Abtastpunkte eines Pixels oder die genaue Fläche; nur Pixel, durch die eine Kante geht, haben mehr als einen</translation>
     </message>
     <message>
@@ -2037,7 +2369,7 @@
         <translation>%1 an, wo es nichts anzuschalten gibt</translation>
     </message>
     <message>
-        <source>No pixel needs %1 here: that it is called for is a defect of the plan, unless its values differ by less than a byte.</source>
+        <source>No pixel needs %1 here. So the plan should not call for it, unless its values differ by less than a byte.</source>
         <translation>Kein Pixel braucht hier %1: Dass es gefordert ist, ist ein Defekt des Plans, es sei denn, seine Werte unterscheiden sich um weniger als ein Byte.</translation>
     </message>
     <message>
@@ -2086,7 +2418,7 @@
         <translation>Kreise und Ellipsen mit dem Mittelpunktverfahren</translation>
     </message>
     <message>
-        <source>Two triangles through each other: depth decides pixel by pixel</source>
+        <source>Two triangles cross: depth decides pixel by pixel</source>
         <translation>Zwei Dreiecke durcheinander: Die Tiefe entscheidet Pixel für Pixel</translation>
     </message>
     <message>
@@ -2098,7 +2430,7 @@
         <translation>Die Aufgabe: ein Dreieck, Spalte für Spalte</translation>
     </message>
     <message>
-        <source>Lines in all directions that are equally bright: strokes by area</source>
+        <source>Lines are equally bright in all directions: strokes drawn by area</source>
         <translation>Linien in allen Richtungen, die gleich hell sind: Striche nach Fläche</translation>
     </message>
     <message>
@@ -2106,7 +2438,7 @@
         <translation>Geschlossene Wege aus Bézierkurven, entlang ihrer Sehnen gefüllt</translation>
     </message>
     <message>
-        <source>See-through triangles: the order of drawing is seen</source>
+        <source>Transparent triangles: the drawing order shows</source>
         <translation>Durchsichtige Dreiecke: Die Reihenfolge des Zeichnens ist zu sehen</translation>
     </message>
     <message>
@@ -2114,15 +2446,15 @@
         <translation>Bresenhams Linie in jedem Oktanten, und das Beispiel des Kurses von (20, 41) nach (30, 44)</translation>
     </message>
     <message>
-        <source>A sphere of triangles in the light of two lamps: Phong</source>
+        <source>A sphere of triangles lit by two lights: Phong shading</source>
         <translation>Eine Kugel aus Dreiecken im Licht zweier Lampen: Phong</translation>
     </message>
     <message>
-        <source>An icosahedron from an OBJ file, flatly shaded</source>
+        <source>An icosahedron from an OBJ file, with flat shading</source>
         <translation>Ein Ikosaeder aus einer OBJ-Datei, flach schattiert</translation>
     </message>
     <message>
-        <source>A sliver that moves: float32 lets its pixels flicker otherwise than truth</source>
+        <source>A moving sliver: in float32 other pixels flicker than in the truth</source>
         <translation>Ein Splitter, der sich bewegt: float32 lässt seine Pixel anders flimmern als die Wahrheit</translation>
     </message>
     <message>
@@ -2138,27 +2470,27 @@
         <translation>Ein Stern, der sich selbst kreuzt: gerade-ungerade neben ungleich null</translation>
     </message>
     <message>
-        <source>One triangle in space: each step of its way to the screen</source>
+        <source>One triangle in space, and each step that takes it to the screen</source>
         <translation>Ein Dreieck im Raum: jeder Schritt seines Weges auf den Bildschirm</translation>
     </message>
     <message>
-        <source>Two triangles on one edge: who owns its pixels under which fill rule</source>
+        <source>Two triangles share an edge: which one draws its pixels under each fill rule</source>
         <translation>Zwei Dreiecke an einer Kante: wem ihre Pixel nach welcher Füllregel gehören</translation>
     </message>
     <message>
-        <source>A triangle thinner than a pixel in float32: gaps and extras</source>
+        <source>A triangle thinner than a pixel: missing and extra pixels in float32</source>
         <translation>Ein Dreieck, dünner als ein Pixel, in float32: Lücken und Überzähliges</translation>
     </message>
     <message>
-        <source>Thin triangles, whole by sixteen samples a pixel</source>
+        <source>Thin triangles without gaps: sixteen samples per pixel</source>
         <translation>Dünne Dreiecke, ganz durch sechzehn Abtastpunkte je Pixel</translation>
     </message>
     <message>
-        <source>Far from the origin float32&apos;s increments stand still</source>
+        <source>Far from the origin, increments in float32 have no effect</source>
         <translation>Fern vom Ursprung stehen die Inkremente von float32 still</translation>
     </message>
     <message>
-        <source>Steep lines by y = mx + b: gaps, and the reason for octants</source>
+        <source>Steep lines by y = mx + b have gaps: why there are octants</source>
         <translation>Steile Linien mit y = mx + b: Lücken, und wozu es Oktanten gibt</translation>
     </message>
     <message>
@@ -2166,15 +2498,15 @@
         <translation>Buchstaben sind Polygone: Umrisse, nach Parität gefüllt</translation>
     </message>
     <message>
-        <source>A chequered plane: what perspective correction mends</source>
+        <source>A chequered plane: what perspective correction corrects</source>
         <translation>Eine karierte Ebene: was die Perspektivkorrektur verbessert</translation>
     </message>
     <message>
-        <source>Samples exactly on an edge whose slope is no binary fraction</source>
+        <source>Samples lie exactly on an edge whose slope is not a binary fraction</source>
         <translation>Abtastpunkte genau auf einer Kante, deren Steigung kein Binärbruch ist</translation>
     </message>
     <message>
-        <source>Vertical and level edges, where quotients have no value</source>
+        <source>Vertical and horizontal edges, where a quotient divides by zero</source>
         <translation>Senkrechte und waagrechte Kanten, bei denen Quotienten keinen Wert haben</translation>
     </message>
 </context>
@@ -2548,10 +2880,6 @@
         <translation>Ordner der &amp;Ergebnisse</translation>
     </message>
     <message>
-        <source>&amp;Grade</source>
-        <translation>&amp;Bewerten</translation>
-    </message>
-    <message>
         <source>Choose…</source>
         <translation>Wählen …</translation>
     </message>
@@ -2580,16 +2908,24 @@
         <translation>S&amp;pielraum</translation>
     </message>
     <message>
-        <source>A folder with one file or folder for each student</source>
-        <translation>Ein Ordner mit einer Datei oder einem Ordner je Abgabe</translation>
+        <source>&amp;Grade by the window&apos;s scene: one task, 5 points</source>
+        <translation>Nach der &amp;Szene im Fenster bewerten: eine Aufgabe, 5 Punkte</translation>
     </message>
     <message>
-        <source>A JSON file that names the scenes to be drawn, and the points of each (Help ▸ Manual ▸ Assignments)</source>
-        <translation>Eine JSON-Datei mit den Szenen, die zu zeichnen sind, und ihren Punkten (Hilfe ▸ Handbuch ▸ Aufgaben)</translation>
+        <source>Each student has drawn the scene that is open now; there is no assignment file</source>
+        <translation>Alle haben die Szene gezeichnet, die gerade offen ist; es gibt keine Aufgabendatei</translation>
     </message>
     <message>
-        <source>A new folder, or one of an earlier grading, which goes on there</source>
-        <translation>Ein neuer Ordner, oder der einer früheren Bewertung, die dort weitergeht</translation>
+        <source>Grad&amp;e</source>
+        <translation>&amp;Bewerten</translation>
+    </message>
+    <message>
+        <source>What is graded by what</source>
+        <translation>Was wonach bewertet wird</translation>
+    </message>
+    <message>
+        <source>&lt;p&gt;The submissions folder holds one picture, or one folder, for each student.&lt;/p&gt;&lt;p&gt;An assignment is a JSON file that names the scenes to be drawn and their points (&lt;a href=&quot;assignment-file.md&quot;&gt;how to write one&lt;/a&gt;).&lt;/p&gt;</source>
+        <translation>&lt;p&gt;Der Ordner der Abgaben enthält für jede Person ein Bild oder einen Ordner.&lt;/p&gt;&lt;p&gt;Eine Aufgabe ist eine JSON-Datei, die die zu zeichnenden Szenen und ihre Punkte nennt (&lt;a href=&quot;assignment-file.md&quot;&gt;wie man eine schreibt&lt;/a&gt;).&lt;/p&gt;</translation>
     </message>
 </context>
 <context>
@@ -2635,11 +2971,11 @@
         <translation>Was geschehen ist, für Sie</translation>
     </message>
     <message>
-        <source>Points in place of those of the checks; leave it empty for theirs</source>
+        <source>Points that replace those of the checks; leave it empty to keep theirs</source>
         <translation>Punkte statt derer der Prüfungen; leer gelten deren</translation>
     </message>
     <message>
-        <source>Your reason for other points, for the student; without one they do not change</source>
+        <source>Your reason for changing the points, for the student; without a reason they do not change</source>
         <translation>Warum andere Punkte, für den Studenten; ohne Grund gelten sie nicht</translation>
     </message>
     <message>
@@ -2675,7 +3011,7 @@
     </message>
     <message>
         <source>defects</source>
-        <translation>Defekte</translation>
+        <translation>Defekte (englisch)</translation>
     </message>
     <message>
         <source>comment</source>
@@ -2684,6 +3020,10 @@
     <message>
         <source>open</source>
         <translation>offen</translation>
+    </message>
+    <message>
+        <source>Right by another fill rule or within rounding: every pixel that differs is one that the leeway leaves open.</source>
+        <translation>Richtig nach einer anderen Füllregel oder innerhalb der Rundung: Jedes abweichende Pixel ist eines, das der Spielraum offen lässt.</translation>
     </message>
 </context>
 <context>
@@ -2725,7 +3065,7 @@
         <translation>Die Berichte mit Ihren Kommentaren sind in %1 geschrieben.</translation>
     </message>
     <message>
-        <source>Cancelled; what is graded stays, and grading goes on from there.</source>
+        <source>Cancelled. What is graded stays, and the next run continues from there.</source>
         <translation>Abgebrochen; was bewertet ist, bleibt, und die Bewertung geht von dort weiter.</translation>
     </message>
     <message>
@@ -2733,7 +3073,7 @@
         <translation>Was gesagt wurde, ist nicht gespeichert: %1</translation>
     </message>
     <message>
-        <source>Other runs are still grading into %1; the last one writes the reports.</source>
+        <source>Other runs are still grading into %1; the last one to finish writes the reports.</source>
         <translation>In %1 bewerten noch andere Läufe; der letzte schreibt die Berichte.</translation>
     </message>
 </context>
@@ -2744,7 +3084,7 @@
         <translation>Ergebnisse öffnen …</translation>
     </message>
     <message>
-        <source>Open a folder of results of pixelplumb-cli grade</source>
+        <source>Open a folder of results: of this window or of pixelplumb-cli grade</source>
         <translation>Einen Ordner mit Ergebnissen von pixelplumb-cli grade öffnen</translation>
     </message>
     <message>
@@ -2752,7 +3092,7 @@
         <translation>Ordner bewerten …</translation>
     </message>
     <message>
-        <source>Grade the submissions of a folder by an assignment</source>
+        <source>Grade a folder of submissions by an assignment or by this scene</source>
         <translation>Die Abgaben eines Ordners nach einer Aufgabe bewerten</translation>
     </message>
     <message>
@@ -2760,7 +3100,7 @@
         <translation>Berichte schreiben</translation>
     </message>
     <message>
-        <source>Write the reports for Gradescope and others, the table and the page anew, with the comments</source>
+        <source>Write the reports again, with your comments: for Gradescope and others, the table and the page</source>
         <translation>Die Berichte für Gradescope und andere, die Tabelle und die Seite mit den Kommentaren neu schreiben</translation>
     </message>
     <message>
@@ -2810,6 +3150,14 @@
     <message>
         <source>No sandbox (%1): programs could use the network, read and change files, and end processes, as far as their user may.</source>
         <translation>Keine Sandbox (%1): Programme konnten das Netz benutzen, Dateien lesen und ändern und Prozesse beenden, soweit ihr Benutzer das darf.</translation>
+    </message>
+    <message>
+        <source>The window&apos;s scene</source>
+        <translation>Die Szene im Fenster</translation>
+    </message>
+    <message>
+        <source>Nothing is graded: %1</source>
+        <translation>Nichts ist bewertet: %1</translation>
     </message>
 </context>
 <context>
@@ -2896,22 +3244,6 @@
     <message>
         <source>Opens the case and plots the error of the bounds</source>
         <translation>Öffnet den Fall und zeichnet den Fehler der Grenzen</translation>
-    </message>
-    <message>
-        <source>&lt;b&gt;Stresses:&lt;/b&gt; %1.</source>
-        <translation>&lt;b&gt;Beansprucht:&lt;/b&gt; %1.</translation>
-    </message>
-    <message>
-        <source>&lt;b&gt;Why:&lt;/b&gt; %1</source>
-        <translation>&lt;b&gt;Warum:&lt;/b&gt; %1</translation>
-    </message>
-    <message>
-        <source>&lt;b&gt;Seen to fail:&lt;/b&gt; %1.</source>
-        <translation>&lt;b&gt;Misslingen gesehen bei:&lt;/b&gt; %1.</translation>
-    </message>
-    <message>
-        <source>&lt;b&gt;Note:&lt;/b&gt; %1.</source>
-        <translation>&lt;b&gt;Anmerkung:&lt;/b&gt; %1.</translation>
     </message>
     <message>
         <source>Being drawn by the current method.</source>
@@ -3007,8 +3339,8 @@
         <translation>Tasten und Maus</translation>
     </message>
     <message>
-        <source>&lt;h3&gt;Pixelplumb %1&lt;/h3&gt;&lt;p&gt;See, step through, measure and grade triangle scan conversion.&lt;/p&gt;&lt;p&gt;Qt %2, %3, %4&lt;/p&gt;&lt;p&gt;Licence: GPL-3.0-or-later&lt;/p&gt;&lt;p&gt;Pixelplumb uses no network and sends no data.&lt;/p&gt;</source>
-        <translation>&lt;h3&gt;Pixelplumb %1&lt;/h3&gt;&lt;p&gt;Die Rasterung von Dreiecken sehen, Schritt für Schritt durchgehen, messen und bewerten.&lt;/p&gt;&lt;p&gt;Qt %2, %3, %4&lt;/p&gt;&lt;p&gt;Lizenz: GPL-3.0-or-later&lt;/p&gt;&lt;p&gt;Pixelplumb benutzt kein Netz und sendet keine Daten.&lt;/p&gt;</translation>
+        <source>&lt;h3&gt;Pixelplumb %1&lt;/h3&gt;&lt;p&gt;See, step through, measure and grade triangle scan conversion.&lt;/p&gt;&lt;p&gt;Qt %2, %3, %4&lt;/p&gt;&lt;p&gt;Licence: GPL-3.0-or-later. Pixelplumb uses no network and sends no data.&lt;/p&gt;</source>
+        <translation>&lt;h3&gt;Pixelplumb %1&lt;/h3&gt;&lt;p&gt;Die Rasterung von Dreiecken sehen, Schritt für Schritt durchgehen, messen und bewerten.&lt;/p&gt;&lt;p&gt;Qt %2, %3, %4&lt;/p&gt;&lt;p&gt;Lizenz: GPL-3.0-or-later. Pixelplumb benutzt kein Netz und sendet keine Daten.&lt;/p&gt;</translation>
     </message>
 </context>
 <context>
@@ -3252,11 +3584,11 @@
         <translation>Was verlangt ist</translation>
     </message>
     <message>
-        <source>Who gives it for the least time on this family of triangles</source>
+        <source>The fastest contender that meets this limit on this family of triangles</source>
         <translation>Wer es auf dieser Familie von Dreiecken in der kürzesten Zeit gibt</translation>
     </message>
     <message>
-        <source>Whether it is proved, or was only never seen otherwise in this study. A SIMD kernel is tested to write what the proved plain one does</source>
+        <source>Whether it is proved, or only observed in this study. Tests check that a SIMD kernel writes what the proved plain kernel writes</source>
         <translation>Ob es bewiesen ist oder in dieser Studie nur nie anders gesehen wurde. Von einem SIMD-Kern ist getestet, dass er schreibt, was der bewiesene einfache schreibt</translation>
     </message>
     <message>
@@ -3553,14 +3885,6 @@
         <translation>Kandidaten</translation>
     </message>
     <message>
-        <source>wrong of a million</source>
-        <translation>falsch von einer Million</translation>
-    </message>
-    <message>
-        <source>wrong pixels of a million: those that differ from the truth</source>
-        <translation>falsche Pixel von einer Million: die von der Wahrheit abweichen</translation>
-    </message>
-    <message>
         <source>ns a pixel</source>
         <translation>ns je Pixel</translation>
     </message>
@@ -3573,7 +3897,7 @@
         <translation>mal Aufgabe</translation>
     </message>
     <message>
-        <source>how many times what the assignment&apos;s method takes, the column scan in float32</source>
+        <source>time relative to the assignment&apos;s method, the column scan in float32</source>
         <translation>wie viele Male die Zeit des Verfahrens der Aufgabe, der Spaltenrasterung in float32</translation>
     </message>
     <message>
@@ -3581,7 +3905,7 @@
         <translation>mal schlichte Schleife</translation>
     </message>
     <message>
-        <source>how many times what the shortest loop takes that is written out by hand for the same pixels; up to 1.3 is fair</source>
+        <source>time relative to the shortest hand-written loop that draws the same pixels; up to 1.3 is fair</source>
         <translation>wie viele Male die Zeit der kürzesten von Hand geschriebenen Schleife für dieselben Pixel; bis 1.3 ist angemessen</translation>
     </message>
     <message>
@@ -3589,7 +3913,7 @@
         <translation>Streuung, %</translation>
     </message>
     <message>
-        <source>the middle half of all rounds, of their median</source>
+        <source>the middle half of all rounds, relative to their median</source>
         <translation>die mittlere Hälfte aller Runden, von ihrem Median</translation>
     </message>
     <message>
@@ -3645,7 +3969,7 @@
         <translation>Vorbereitung, ns</translation>
     </message>
     <message>
-        <source>what a triangle takes before its first column, shared out among its pixels: from a fit over all families</source>
+        <source>the time before a triangle&apos;s first column, divided among its pixels; fitted over all families</source>
         <translation>was ein Dreieck vor seiner ersten Spalte braucht, auf seine Pixel verteilt: aus einem Ausgleich über alle Familien</translation>
     </message>
     <message>
@@ -3653,7 +3977,7 @@
         <translation>Spalten, ns</translation>
     </message>
     <message>
-        <source>what a column or a row takes, shared out among its pixels: from a fit over all families</source>
+        <source>the time of a column or a row, divided among its pixels; fitted over all families</source>
         <translation>was eine Spalte oder Zeile braucht, auf ihre Pixel verteilt: aus einem Ausgleich über alle Familien</translation>
     </message>
     <message>
@@ -3661,8 +3985,16 @@
         <translation>Pixel, ns</translation>
     </message>
     <message>
-        <source>what a pixel takes by itself: from a fit over all families</source>
+        <source>the time of a pixel by itself; fitted over all families</source>
         <translation>was ein Pixel selbst braucht: aus einem Ausgleich über alle Familien</translation>
+    </message>
+    <message>
+        <source>wrong per million</source>
+        <translation>falsch je Million</translation>
+    </message>
+    <message>
+        <source>wrong pixels per million: those that differ from the truth</source>
+        <translation>falsche Pixel je Million: die von der Wahrheit abweichen</translation>
     </message>
 </context>
 <context>
@@ -3684,7 +4016,7 @@
         <translation>kein Fehler, nach Beweis: %1</translation>
     </message>
     <message>
-        <source>no error: proved of the plain kernel; that this SIMD kernel writes the same bytes is tested, not proved</source>
+        <source>no error: proved for the plain kernel. Tests check that this SIMD kernel writes the same bytes; this is not proved</source>
         <translation>kein Fehler: bewiesen vom einfachen Kern; dass dieser SIMD-Kern dieselben Bytes schreibt, ist getestet, nicht bewiesen</translation>
     </message>
     <message>
@@ -3712,11 +4044,11 @@
         <translation>&lt;b&gt;!&lt;/b&gt; %1 mal seine schlichte Schleife: mehr als die angemessenen 1.3</translation>
     </message>
     <message>
-        <source>of the plain kernels shown none is as exact for less time</source>
+        <source>no plain kernel shown is as exact in less time</source>
         <translation>keiner der gezeigten einfachen Kerne ist für weniger Zeit so genau</translation>
     </message>
     <message>
-        <source>of the SIMD kernels shown none is as exact for less time</source>
+        <source>no SIMD kernel shown is as exact in less time</source>
         <translation>keiner der gezeigten SIMD-Kerne ist für weniger Zeit so genau</translation>
     </message>
     <message>
@@ -3728,32 +4060,24 @@
         <translation>nicht gemessen</translation>
     </message>
     <message>
-        <source>its time comes when all of this family are judged</source>
+        <source>its time is measured once all of this family are judged</source>
         <translation>seine Zeit kommt, wenn alle dieser Familie beurteilt sind</translation>
     </message>
     <message>
-        <source>No error was seen over the pixels that were drawn. There may be some elsewhere.</source>
+        <source>No error was seen in the pixels that were drawn. There may be errors elsewhere.</source>
         <translation>Über den gezeichneten Pixeln wurde kein Fehler gesehen. Anderswo kann es welche geben.</translation>
     </message>
     <message>
-        <source>SIMD kernels of methods that are proved to make no error: that the SIMD kernel writes the same bytes as the proved plain one is tested.</source>
+        <source>SIMD kernels of methods that are proved to make no error. Tests check that the SIMD kernel writes the same bytes as the proved plain kernel.</source>
         <translation>SIMD-Kerne von Verfahren, die bewiesen keinen Fehler machen: Dass der SIMD-Kern dieselben Bytes schreibt wie der bewiesene einfache, ist getestet.</translation>
     </message>
     <message>
-        <source>That there is no error anywhere is proved, for the triangles that the dot names.</source>
+        <source>It is proved that there is no error anywhere, for the triangles that the dot names.</source>
         <translation>Dass es nirgends einen Fehler gibt, ist bewiesen, für die Dreiecke, die der Punkt nennt.</translation>
     </message>
     <message>
-        <source>The shortest loop that draws the same pixels in the same arithmetic, written out by hand. A method whose dot is near its loop costs what its arithmetic costs.</source>
+        <source>The shortest hand-written loop that draws the same pixels in the same arithmetic. If a method&apos;s dot is near this loop, the method costs only what its arithmetic costs.</source>
         <translation>Die kürzeste von Hand geschriebene Schleife, die dieselben Pixel in derselben Arithmetik zeichnet. Ein Verfahren, dessen Punkt nahe bei seiner Schleife liegt, kostet, was seine Arithmetik kostet.</translation>
-    </message>
-    <message>
-        <source>of a million</source>
-        <translation>von einer Million</translation>
-    </message>
-    <message>
-        <source>%1 of a million</source>
-        <translation>%1 von einer Million</translation>
     </message>
     <message>
         <source>not measured</source>
@@ -3776,20 +4100,28 @@
         <translation>(erst die Szene speichern, dann gibt es ihren Befehl)</translation>
     </message>
     <message>
-        <source>%1 ×%2, %3</source>
-        <translation>%1 ×%2, %3</translation>
+        <source>per million</source>
+        <translation>je Million</translation>
     </message>
     <message>
-        <source>Column scan beside float32 (%1 wrong of a million): %2.</source>
-        <translation>Spaltenrasterung neben float32 (%1 von einer Million falsch): %2.</translation>
+        <source>%1 per million</source>
+        <translation>%1 je Million</translation>
     </message>
     <message>
-        <source>Press Run to time fifteen contenders and count their wrong pixels: %1.</source>
-        <translation>„Messen“ nimmt die Zeit von fünfzehn Kandidaten und zählt ihre falschen Pixel: %1.</translation>
+        <source>%1 takes %2× the time, %3 wrong</source>
+        <translation>%1 braucht das %2-fache der Zeit, %3 falsch</translation>
     </message>
     <message>
-        <source>Press Run to time every method in every arithmetic and count its wrong pixels: %1.</source>
-        <translation>„Messen“ nimmt die Zeit jedes Verfahrens in jeder Arithmetik und zählt seine falschen Pixel: %1.</translation>
+        <source>Column scan, relative to float32 (%1 wrong pixels per million): %2.</source>
+        <translation>Spaltenrasterung, verglichen mit float32 (%1 falsche Pixel je Million): %2.</translation>
+    </message>
+    <message>
+        <source>Press Run to time fifteen contenders and count their wrong pixels (%1).</source>
+        <translation>„Messen“ misst die Zeit von fünfzehn Kandidaten und zählt ihre falschen Pixel (%1).</translation>
+    </message>
+    <message>
+        <source>Press Run to time every method in every arithmetic and count its wrong pixels (%1).</source>
+        <translation>„Messen“ misst die Zeit jedes Verfahrens in jeder Arithmetik und zählt seine falschen Pixel (%1).</translation>
     </message>
 </context>
 <context>
@@ -3814,40 +4146,40 @@
 <context>
     <name>pixelplumb::LeewayBox</name>
     <message>
-        <source>Leeway: which pixels a right program may have otherwise</source>
-        <translation>Spielraum: welche Pixel ein richtiges Programm anders haben darf</translation>
+        <source>Leeway: which pixels may differ in a right picture</source>
+        <translation>Spielraum: welche Pixel in einem richtigen Bild abweichen dürfen</translation>
     </message>
     <message>
-        <source>strict</source>
-        <translation>streng (strict)</translation>
+        <source>strict: no pixel</source>
+        <translation>strict: kein Pixel</translation>
     </message>
     <message>
-        <source>None: the fill rule decides all, nothing is rounded</source>
-        <translation>Keiner: die Füllregel entscheidet alles, nichts wird gerundet</translation>
+        <source>strict: no pixel may differ; the scene&apos;s fill rule decides every pixel</source>
+        <translation>strict: Kein Pixel darf abweichen; die Füllregel der Szene entscheidet jedes Pixel</translation>
     </message>
     <message>
-        <source>rule</source>
-        <translation>Regel (rule)</translation>
+        <source>rule: rounding</source>
+        <translation>rule: Rundung</translation>
     </message>
     <message>
-        <source>What rounding may decide; anything else on an edge is the fill rule&apos;s</source>
-        <translation>Was Rundung entscheiden darf; sonst entscheidet auf Kanten die Füllregel</translation>
+        <source>rule: only pixels that rounding may decide; the scene&apos;s fill rule decides all others</source>
+        <translation>rule: nur Pixel, die Rundung entscheiden darf; alle anderen entscheidet die Füllregel der Szene</translation>
     </message>
     <message>
-        <source>edges</source>
-        <translation>Kanten (edges)</translation>
+        <source>edges: any fill rule</source>
+        <translation>edges: jede Füllregel</translation>
     </message>
     <message>
-        <source>Also every sample on an edge, where fill rules differ</source>
-        <translation>Auch jeder Abtastpunkt auf einer Kante, wo Füllregeln sich unterscheiden</translation>
+        <source>edges: also every pixel exactly on an edge, so any fill rule is right</source>
+        <translation>edges: auch jedes Pixel genau auf einer Kante, also ist jede Füllregel richtig</translation>
     </message>
     <message>
-        <source>once</source>
-        <translation>einmal (once)</translation>
+        <source>once: any rule, no gaps</source>
+        <translation>once: lückenlos</translation>
     </message>
     <message>
-        <source>As edges, but between triangles a sample is drawn by exactly one of them</source>
-        <translation>Wie Kanten, aber zwischen Dreiecken zeichnet genau eines von ihnen den Abtastpunkt</translation>
+        <source>once: as edges, but a pixel on a shared edge is drawn by exactly one triangle</source>
+        <translation>once: wie edges, aber ein Pixel auf einer gemeinsamen Kante zeichnet genau ein Dreieck</translation>
     </message>
 </context>
 <context>
@@ -3855,14 +4187,6 @@
     <message>
         <source>Camera, Light and Materials</source>
         <translation>Kamera, Licht und Materialien</translation>
-    </message>
-    <message>
-        <source>The keys of a scene file. A value left empty is the default.</source>
-        <translation>Die Schlüssel einer Szenendatei. Ein leerer Wert steht für den Standardwert.</translation>
-    </message>
-    <message>
-        <source>Keys and their values</source>
-        <translation>Schlüssel und ihre Werte</translation>
     </message>
     <message>
         <source>Add a &amp;light</source>
@@ -3879,6 +4203,14 @@
     <message>
         <source>Removes the selected light, or the selected material if no primitive names it or one after it</source>
         <translation>Entfernt das gewählte Licht, oder das gewählte Material, wenn kein Primitiv dieses oder ein späteres nennt</translation>
+    </message>
+    <message>
+        <source>How the scene is seen. An empty value stands for the default beside it.</source>
+        <translation>Wie die Szene gesehen wird. Ein leerer Wert steht für den Standardwert daneben.</translation>
+    </message>
+    <message>
+        <source>Settings and their values</source>
+        <translation>Einstellungen und ihre Werte</translation>
     </message>
 </context>
 <context>
@@ -3922,10 +4254,6 @@
     <message>
         <source>Unsaved Scene</source>
         <translation>Nicht gespeicherte Szene</translation>
-    </message>
-    <message>
-        <source>The recovered scene is unsaved; save it to keep it.</source>
-        <translation>Die wiederhergestellte Szene ist nicht gespeichert; sie bleibt nur, wenn sie gespeichert wird.</translation>
     </message>
     <message>
         <source>&amp;Recover</source>
@@ -3972,12 +4300,20 @@
         <translation>„%1“ ist eine Szene, keine Aufgabe.</translation>
     </message>
     <message>
-        <source>An assignment names the scenes that submissions draw, and what each is worth.</source>
-        <translation>Eine Aufgabe nennt die Szenen, die Abgaben zeichnen, und was jede zählt.</translation>
-    </message>
-    <message>
         <source>&amp;Open the scene</source>
         <translation>Szene ö&amp;ffnen</translation>
+    </message>
+    <message>
+        <source>The recovered scene has no file yet: save it to keep it.</source>
+        <translation>Die wiederhergestellte Szene hat noch keine Datei: Speichern, um sie zu behalten.</translation>
+    </message>
+    <message>
+        <source>An assignment names the scenes that submissions draw, and what each is worth. Without one, this scene can be the only task, for 5 points.</source>
+        <translation>Eine Aufgabe nennt die Szenen, die Abgaben zeichnen, und was jede zählt. Ohne eine kann diese Szene die einzige Aufgabe sein, für 5 Punkte.</translation>
+    </message>
+    <message>
+        <source>&amp;Grade by this scene</source>
+        <translation>Nach dieser Szene &amp;bewerten</translation>
     </message>
 </context>
 <context>
@@ -4176,24 +4512,12 @@
 <context>
     <name>pixelplumb::MethodPanel</name>
     <message>
-        <source>in place of</source>
-        <translation>anstelle von</translation>
-    </message>
-    <message>
         <source>This method</source>
         <translation>Dieses Verfahren</translation>
     </message>
     <message>
         <source>What the method does, line by line</source>
         <translation>Was das Verfahren tut, Zeile für Zeile</translation>
-    </message>
-    <message>
-        <source>From: %1.</source>
-        <translation>Aus: %1.</translation>
-    </message>
-    <message>
-        <source>With the variant</source>
-        <translation>Mit der Variante</translation>
     </message>
 </context>
 <context>
@@ -4444,7 +4768,7 @@
         <translation>Operationen nach Art</translation>
     </message>
     <message>
-        <source>What the method&apos;s numbers do, counted while they draw this scene: on the average of a set-up, a span and a sample, and all together. Whole pixel coordinates and the clamp to a byte are not counted.</source>
+        <source>The arithmetic operations of the method, counted while it draws this scene: on average for each set-up, span and sample, and in total. Whole pixel coordinates and the clamp to a byte are not counted.</source>
         <translation>Was die Zahlen des Verfahrens tun, gezählt, während sie diese Szene zeichnen: im Mittel einer Vorbereitung, einer Spanne und eines Abtastpunkts, und alle zusammen. Ganze Pixelkoordinaten und die Begrenzung auf ein Byte sind nicht gezählt.</translation>
     </message>
     <message>
@@ -4562,11 +4886,11 @@
         <translation>beste SIMD-Kerne</translation>
     </message>
     <message>
-        <source>The frontier: of plain kernels, which draw a pixel at a time, none is as exact for less time than those on this line.</source>
+        <source>The frontier: no plain kernel, which draws one pixel at a time, is as exact in less time than those on this line.</source>
         <translation>Die Front: Von den einfachen Kernen, die ein Pixel nach dem anderen zeichnen, ist keiner für weniger Zeit so genau wie die auf dieser Linie.</translation>
     </message>
     <message>
-        <source>The frontier of the SIMD kernels, which draw several pixels at once. They are compared among themselves: they are faster by how they are programmed, not by what they compute.</source>
+        <source>The frontier of the SIMD kernels, which draw several pixels at once. They are compared only with each other: they are faster because of how they are programmed, not because of what they compute.</source>
         <translation>Die Front der SIMD-Kerne, die mehrere Pixel auf einmal zeichnen. Sie werden unter sich verglichen: Schneller macht sie, wie sie programmiert sind, nicht, was sie berechnen.</translation>
     </message>
     <message>
@@ -4574,7 +4898,7 @@
         <translation>SIMD-Kern</translation>
     </message>
     <message>
-        <source>A kernel that draws several pixels at once, by SIMD instructions. It is tested to write the same bytes as the plain kernel.</source>
+        <source>A kernel that draws several pixels at once, by SIMD instructions. Tests check that it writes the same bytes as the plain kernel.</source>
         <translation>Ein Kern, der mit SIMD-Befehlen mehrere Pixel auf einmal zeichnet. Es ist getestet, dass er dieselben Bytes schreibt wie der einfache Kern.</translation>
     </message>
     <message>
@@ -4582,7 +4906,7 @@
         <translation>ein anderes Programm</translation>
     </message>
     <message>
-        <source>Code of others, measured beside ours by the benchmark.</source>
+        <source>Code by others, measured in the same benchmark.</source>
         <translation>Code anderer, vom Benchmark neben unserem gemessen.</translation>
     </message>
     <message>
@@ -4594,7 +4918,7 @@
         <translation>über 1.3 × seine Schleife</translation>
     </message>
     <message>
-        <source>Takes more than 1.3 times what its straight loop takes: a part of its cost is how it is programmed, not what it computes.</source>
+        <source>It takes more than 1.3 times as long as its straight loop, so part of its cost is how it is programmed, not what it computes.</source>
         <translation>Braucht mehr als 1.3-mal die Zeit seiner schlichten Schleife: Ein Teil seiner Kosten ist, wie er programmiert ist, nicht, was er berechnet.</translation>
     </message>
     <message>
@@ -4602,7 +4926,7 @@
         <translation>(noch) nicht gemessen</translation>
     </message>
     <message>
-        <source>Its error is known, its time is not: it waits at the left.</source>
+        <source>Its error is known but its time is not yet: it waits at the left.</source>
         <translation>Sein Fehler ist bekannt, seine Zeit nicht: Er wartet links.</translation>
     </message>
     <message>
@@ -4625,7 +4949,7 @@
         <translation>Messen</translation>
     </message>
     <message>
-        <source>Draw the scene again and again by the plain and the fast kernels in turn, beside memset</source>
+        <source>Draw the scene repeatedly by the plain and the fast kernels in turn, and time memset beside them</source>
         <translation>Die Szene wieder und wieder mit den einfachen und den schnellen Kernen im Wechsel zeichnen, neben memset</translation>
     </message>
     <message>
@@ -4637,7 +4961,7 @@
         <translation>Zeiten</translation>
     </message>
     <message>
-        <source>speed: times that of the plain kernel; of memory: how near the time is to that of memset over as many pixels</source>
+        <source>speed: relative to the plain kernel; of memory: how close the time is to memset over as many pixels</source>
         <translation>Tempo: wie viele Male das des einfachen Kerns; vom Speicher: wie nahe die Zeit der von memset über ebenso viele Pixel kommt</translation>
     </message>
     <message>
@@ -4653,10 +4977,6 @@
         <translation>Die Messung wurde abgebrochen.</translation>
     </message>
     <message>
-        <source>Press Measure to draw this scene again and again for about a second.</source>
-        <translation>Messen zeichnet diese Szene etwa eine Sekunde lang.</translation>
-    </message>
-    <message>
         <source>The scene is being drawn.</source>
         <translation>Die Szene wird gezeichnet.</translation>
     </message>
@@ -4667,6 +4987,10 @@
     <message>
         <source>Known after a measurement.</source>
         <translation>Nach einer Messung bekannt.</translation>
+    </message>
+    <message>
+        <source>Press Measure to draw this scene repeatedly for about a second.</source>
+        <translation>„Messen“ zeichnet diese Szene etwa eine Sekunde lang immer wieder.</translation>
     </message>
 </context>
 <context>
@@ -5158,7 +5482,7 @@
         <translation>Die Kurve von %1 zeigen oder ausblenden</translation>
     </message>
     <message>
-        <source>Dotted: what rounding may add up to, n·ulp/2 in floating point, n·2⁻¹⁷ in 16.16, n·2⁻³³ in 32.32 after n additions. ≠: the first column that covers other samples than it should. A click goes there.</source>
+        <source>Dotted: the largest error that rounding can add up to after n additions: n·ulp/2 in floating point, n·2⁻¹⁷ in 16.16, n·2⁻³³ in 32.32. ≠: the first column that covers the wrong samples. A click goes there.</source>
         <translation>Punktiert: was Rundung aufsummieren kann, n·ulp/2 in Gleitkomma, n·2⁻¹⁷ in 16.16, n·2⁻³³ in 32.32 nach n Additionen. ≠: die erste Spalte, die andere Abtastpunkte überdeckt, als sie soll. Ein Klick geht dorthin.</translation>
     </message>
     <message>
@@ -5174,7 +5498,7 @@
         <translation>Die Szene wird gezeichnet.</translation>
     </message>
     <message>
-        <source>The method “%1” has no bounds that could be off here: it tests every sample, computes in exact arithmetic alone, or draws no triangle of this scene.</source>
+        <source>The method “%1” has no bounds that could be wrong here: it tests every sample, or computes only in exact arithmetic, or draws no triangle of this scene.</source>
         <translation>Das Verfahren „%1“ hat hier keine Grenzen, die danebenliegen könnten: Es prüft jeden Abtastpunkt, rechnet nur exakt oder zeichnet kein Dreieck dieser Szene.</translation>
     </message>
     <message>
@@ -5196,6 +5520,14 @@
     <message>
         <source>Triangle %1. </source>
         <translation>Dreieck %1. </translation>
+    </message>
+    <message>
+        <source>lower bound</source>
+        <translation>untere Grenze</translation>
+    </message>
+    <message>
+        <source>upper bound</source>
+        <translation>obere Grenze</translation>
     </message>
 </context>
 <context>
@@ -5272,7 +5604,7 @@
         <translation>das nächste Pixel</translation>
     </message>
     <message>
-        <source>Nothing lies ahead: step back, or run to the start.</source>
+        <source>The run has ended, so there is nothing to predict: step back, or go to the start.</source>
         <translation>Es liegt nichts voraus: zurückgehen oder zum Anfang laufen.</translation>
     </message>
     <message>
@@ -5356,16 +5688,16 @@
         <translation>Welches Pixel des Bildes wird als nächstes geschrieben? Sein x, y eingeben, es mit der rechten Maustaste wählen oder mit den Pfeiltasten hingehen und „Prüfen“ drücken.</translation>
     </message>
     <message>
-        <source>This step has been shown already, so the answer does not count.</source>
-        <translation>Dieser Schritt war schon zu sehen, darum zählt die Antwort nicht.</translation>
-    </message>
-    <message>
-        <source>Nothing is drawn yet: what you draw is asked for.</source>
+        <source>Nothing is drawn yet. Draw something, and its numbers are asked for.</source>
         <translation>Noch ist nichts gezeichnet: gefragt wird nach dem, was hier gezeichnet wird.</translation>
     </message>
     <message>
-        <source>It is the same along the whole primitive: earlier rows of the table show it, and the answer does not count.</source>
-        <translation>Die Zahl ist entlang des ganzen Primitivs dieselbe: Frühere Zeilen der Tabelle zeigen sie, und die Antwort zählt nicht.</translation>
+        <source>This number is the same along the whole primitive and stands in earlier rows of the table, so the answer does not count.</source>
+        <translation>Diese Zahl ist entlang des ganzen Primitivs dieselbe und steht in früheren Zeilen der Tabelle, also zählt die Antwort nicht.</translation>
+    </message>
+    <message>
+        <source>This step has already been shown, so the answer does not count.</source>
+        <translation>Dieser Schritt war schon zu sehen, also zählt die Antwort nicht.</translation>
     </message>
 </context>
 <context>
@@ -5679,8 +6011,8 @@
         <translation>Das aktuelle Dreieck ist %1 %2 %3 der Seitenfläche %4 des Körpers %5 (%6).</translation>
     </message>
     <message>
-        <source>This scene has no solids. For a face of a sphere, a plane, a patch, a mesh or a polygon in space, this panel shows how the camera takes it to the frame: the eye&apos;s axes, clip coordinates, clipping at the near plane, division by w, and rounding to the lattice, each number beside its exact value.</source>
-        <translation>Diese Szene hat keine Körper. Von einer Seitenfläche einer Kugel, einer Ebene, eines Flächenstücks, eines Netzes oder eines Polygons im Raum steht hier, wie die Kamera sie auf die Bildfläche bringt: Achsen des Auges, Clip-Koordinaten, Abschneiden an der vorderen Ebene, Division durch w und Runden auf das Koordinatengitter, jede Zahl neben ihrem exakten Wert.</translation>
+        <source>This scene has no solids. For a face of a sphere, a plane, a patch, a mesh or a polygon in space, this panel shows how the camera takes it to the frame: from its vertices to the eye&apos;s axes, clip coordinates, clipping at the near plane, division by w, pixels and rounding to the lattice, with each number beside its exact value.</source>
+        <translation>Diese Szene hat keine Körper. Von einer Seitenfläche einer Kugel, einer Ebene, eines Flächenstücks, eines Netzes oder eines Polygons im Raum steht hier, wie die Kamera sie auf die Bildfläche bringt: von ihren Eckpunkten zu den Achsen des Auges, den Clip-Koordinaten, dem Abschneiden an der vorderen Ebene, der Division durch w, den Pixeln und der Rundung auf das Koordinatengitter, jede Zahl neben ihrem exakten Wert.</translation>
     </message>
 </context>
 <context>
@@ -5744,12 +6076,12 @@
         <translation>Am Ende: alle Pixel richtig</translation>
     </message>
     <message>
-        <source>When finished: %1 px wrong, truth %2 px</source>
-        <translation>Am Ende: %1 px falsch, Wahrheit %2 px</translation>
-    </message>
-    <message>
         <source>as forced: %1</source>
         <translation>wie erzwungen: %1</translation>
+    </message>
+    <message>
+        <source>When finished: %1 px wrong; the exact picture has %2 px</source>
+        <translation>Am Ende: %1 px falsch; das exakte Bild hat %2 px</translation>
     </message>
 </context>
 <context>
@@ -6086,10 +6418,6 @@
 <context>
     <name>pixelplumb::SceneLook</name>
     <message>
-        <source>key</source>
-        <translation>Schlüssel</translation>
-    </message>
-    <message>
         <source>value</source>
         <translation>Wert</translation>
     </message>
@@ -6104,6 +6432,118 @@
     <message>
         <source>material %1</source>
         <translation>Material %1</translation>
+    </message>
+    <message>
+        <source>Projection</source>
+        <translation>Projektion</translation>
+    </message>
+    <message>
+        <source>Eye (x, y, z)</source>
+        <translation>Auge (x, y, z)</translation>
+    </message>
+    <message>
+        <source>Looks at (x, y, z)</source>
+        <translation>Blickt auf (x, y, z)</translation>
+    </message>
+    <message>
+        <source>Upward (x, y, z)</source>
+        <translation>Nach oben (x, y, z)</translation>
+    </message>
+    <message>
+        <source>Field of view, degrees</source>
+        <translation>Blickwinkel, Grad</translation>
+    </message>
+    <message>
+        <source>Height of the view</source>
+        <translation>Höhe des Ausschnitts</translation>
+    </message>
+    <message>
+        <source>Near plane</source>
+        <translation>Vordere Ebene</translation>
+    </message>
+    <message>
+        <source>Far plane</source>
+        <translation>Hintere Ebene</translation>
+    </message>
+    <message>
+        <source>Texture</source>
+        <translation>Textur</translation>
+    </message>
+    <message>
+        <source>Texture filter</source>
+        <translation>Texturfilter</translation>
+    </message>
+    <message>
+        <source>Beyond the texture&apos;s border</source>
+        <translation>Jenseits des Texturrands</translation>
+    </message>
+    <message>
+        <source>Diffuse colour</source>
+        <translation>Diffuse Farbe</translation>
+    </message>
+    <message>
+        <source>Specular colour</source>
+        <translation>Glanzfarbe</translation>
+    </message>
+    <message>
+        <source>Shininess</source>
+        <translation>Glanzexponent</translation>
+    </message>
+    <message>
+        <source>Direction (x, y, z)</source>
+        <translation>Richtung (x, y, z)</translation>
+    </message>
+    <message>
+        <source>Position (x, y, z)</source>
+        <translation>Ort (x, y, z)</translation>
+    </message>
+    <message>
+        <source>Colour</source>
+        <translation>Farbe</translation>
+    </message>
+    <message>
+        <source>Ambient light</source>
+        <translation>Umgebungslicht</translation>
+    </message>
+    <message>
+        <source>Shading</source>
+        <translation>Schattierung</translation>
+    </message>
+    <message>
+        <source>Depth test</source>
+        <translation>Tiefentest</translation>
+    </message>
+    <message>
+        <source>Bits of depth</source>
+        <translation>Bits der Tiefe</translation>
+    </message>
+    <message>
+        <source>Samples per pixel</source>
+        <translation>Abtastpunkte je Pixel</translation>
+    </message>
+    <message>
+        <source>“%1” in a scene file</source>
+        <translation>„%1“ in einer Szenendatei</translation>
+    </message>
+    <message>
+        <source>setting</source>
+        <translation>Einstellung</translation>
+    </message>
+    <message>
+        <source>Camera</source>
+        <translation>Kamera</translation>
+    </message>
+    <message>
+        <source>Materials</source>
+        <translation>Materialien</translation>
+    </message>
+    <message>
+        <source>Lights</source>
+        <translation>Lichter</translation>
+    </message>
+    <message>
+        <source>Light %1</source>
+        <translation>Licht %1</translation>
     </message>
 </context>
 <context>
@@ -6731,7 +7171,7 @@
         <translation>Nächste Abweichung</translation>
     </message>
     <message>
-        <source>Pick the next pixel that differs, in the order of reading</source>
+        <source>Pick the next pixel that differs, in reading order</source>
         <translation>Das nächste abweichende Pixel in Leserichtung wählen</translation>
     </message>
     <message>
@@ -6774,10 +7214,6 @@
         <translation>%L1 in anderer Farbe, um bis zu %2</translation>
     </message>
     <message>
-        <source>%L1 undecidable, on an edge or by rounding</source>
-        <translation>%L1 unentscheidbar, auf einer Kante oder durch Rundung</translation>
-    </message>
-    <message>
         <source>%L1 the same</source>
         <translation>%L1 gleich</translation>
     </message>
@@ -6786,13 +7222,6 @@
         <translation>
             <numerusform>Falsch: %n Pixel weicht ab.</numerusform>
             <numerusform>Falsch: %n Pixel weichen ab.</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
-        <source>Undecidable: %n pixels lie on an edge, where fill rules differ, or within the rounding error of float32.</source>
-        <translation>
-            <numerusform>Unentscheidbar: %n Pixel auf Kanten, wo Regeln verschieden sind, oder in dem, was Rundung in float32 bewirken darf.</numerusform>
-            <numerusform>Unentscheidbar: %n Pixel auf Kanten, wo Regeln verschieden sind, oder in dem, was Rundung in float32 bewirken darf.</numerusform>
         </translation>
     </message>
     <message>
@@ -6826,6 +7255,17 @@
     <message>
         <source>Drop a picture of this scene on the canvas, paste it (Ctrl+V) or open it: PNG, PPM, BMP, or a raster of “#” and “.”. What differs is marked on the canvas.</source>
         <translation>Ein Bild dieser Szene auf die Zeichenfläche ziehen, einfügen (Strg+V) oder öffnen: PNG, PPM, BMP oder ein Raster aus „#“ und „.“. Was abweicht, wird auf der Zeichenfläche markiert.</translation>
+    </message>
+    <message>
+        <source>%L1 undecidable: on an edge or within rounding error</source>
+        <translation>%L1 unentscheidbar: auf einer Kante oder innerhalb des Rundungsfehlers</translation>
+    </message>
+    <message numerus="yes">
+        <source>Right by another fill rule or within rounding: %n pixels lie on an edge, where fill rules differ, or within float32 rounding error.</source>
+        <translation>
+            <numerusform>Richtig nach einer anderen Füllregel oder innerhalb der Rundung: %n Pixel liegt auf einer Kante, wo Füllregeln sich unterscheiden, oder innerhalb des Rundungsfehlers von float32.</numerusform>
+            <numerusform>Richtig nach einer anderen Füllregel oder innerhalb der Rundung: %n Pixel liegen auf einer Kante, wo Füllregeln sich unterscheiden, oder innerhalb des Rundungsfehlers von float32.</numerusform>
+        </translation>
     </message>
 </context>
 <context>

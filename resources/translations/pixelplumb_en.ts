@@ -66,17 +66,17 @@
         </translation>
     </message>
     <message numerus="yes">
-        <source> · %n pixels are left</source>
+        <source> · except for %n pixels that rounding or an edge may decide</source>
         <translation>
-            <numerusform> · %n pixel is left</numerusform>
-            <numerusform> · %n pixels are left</numerusform>
+            <numerusform> · except for %n pixel that rounding or an edge may decide</numerusform>
+            <numerusform> · except for %n pixels that rounding or an edge may decide</numerusform>
         </translation>
     </message>
     <message numerus="yes">
-        <source> · but for %n pixels that rounding or an edge may decide</source>
+        <source> · %n pixels remain unexplained</source>
         <translation>
-            <numerusform> · but for %n pixel that rounding or an edge may decide</numerusform>
-            <numerusform> · but for %n pixels that rounding or an edge may decide</numerusform>
+            <numerusform> · %n pixel remains unexplained</numerusform>
+            <numerusform> · %n pixels remain unexplained</numerusform>
         </translation>
     </message>
 </context>
@@ -269,10 +269,10 @@
         </translation>
     </message>
     <message numerus="yes">
-        <source>Undecidable: %n pixels lie on an edge, where fill rules differ, or within the rounding error of float32.</source>
+        <source>Right by another fill rule or within rounding: %n pixels lie on an edge, where fill rules differ, or within float32 rounding error.</source>
         <translation>
-            <numerusform>Undecidable: %n pixel lies on an edge, where fill rules differ, or within the rounding error of float32.</numerusform>
-            <numerusform>Undecidable: %n pixels lie on an edge, where fill rules differ, or within the rounding error of float32.</numerusform>
+            <numerusform>Right by another fill rule or within rounding: %n pixel lies on an edge, where fill rules differ, or within float32 rounding error.</numerusform>
+            <numerusform>Right by another fill rule or within rounding: %n pixels lie on an edge, where fill rules differ, or within float32 rounding error.</numerusform>
         </translation>
     </message>
 </context>

@@ -54,10 +54,10 @@ LookDialog::LookDialog(const Scene &scene, const QString &folder, QWidget *paren
 {
     setObjectName(u"lookDialog"_s);
     setWindowTitle(tr("Camera, Light and Materials"));
-    auto *hint
-        = new QLabel(tr("The keys of a scene file. A value left empty is the default."), this);
+    auto *hint = new QLabel(
+        tr("How the scene is seen. An empty value stands for the default beside it."), this);
     hint->setWordWrap(true);
-    named(m_tree, "lookTree", tr("Keys and their values"));
+    named(m_tree, "lookTree", tr("Settings and their values"));
     m_tree->setModel(m_look);
     m_tree->setItemDelegate(new LookDelegate(m_tree));
     m_tree->setEditTriggers(QAbstractItemView::AllEditTriggers);

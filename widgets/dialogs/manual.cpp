@@ -13,10 +13,15 @@ using namespace Qt::StringLiterals;
 
 namespace {
 
+/// A document's Markdown without the lines that name tests of the source tree.
 QString textOf(const QString &document)
 {
     QFile file(u":/manual/"_s + document);
-    return file.open(QIODevice::ReadOnly) ? QString::fromUtf8(file.readAll()) : QString();
+    if (!file.open(QIODevice::ReadOnly))
+        return {};
+    static const QRegularExpression tests(u"^(- )?\\*\\*Tests?:\\*\\*.*\\n(  \\S.*\\n)*"_s,
+                                          QRegularExpression::MultilineOption);
+    return QString::fromUtf8(file.readAll()).remove(tests);
 }
 
 QString plainText(const QString &text) { return withoutMnemonic(text).toHtmlEscaped(); }

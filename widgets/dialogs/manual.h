@@ -19,9 +19,11 @@ class Manual : public QDialog {
 public:
     explicit Manual(const QList<ManualPage> &pages, QWidget *parent = nullptr);
 
+    /// Turns to the page of a document, such as "glossary.md"; stays where there is none.
+    void follow(const QUrl &link);
+
 private:
     void showPage(int page);
-    void follow(const QUrl &link);
 
     QList<ManualPage> m_pages;
     QListWidget *m_list;

@@ -17,21 +17,84 @@ using Textures = std::map<QString, std::shared_ptr<const Texture>>;
 
 const QString textureKey = u"texture"_s;
 
-/// A value as a scene file has it: arrays and numbers as they are, all else as text.
-QByteArray jsonText(const QString &key, const QString &value)
+constexpr int isListRole = SceneLook::keyRole + 1; ///< bool: whether a value is a list of numbers
+
+const QStringList listKeys = {u"eye"_s, u"target"_s, u"up"_s, u"direction"_s, u"position"_s};
+
+struct KeyWords {
+    const char *key;
+    const char *words;
+};
+
+constexpr KeyWords keyWords[] = {
+    {"projection", QT_TRANSLATE_NOOP("pixelplumb::SceneLook", "Projection")},
+    {"eye", QT_TRANSLATE_NOOP("pixelplumb::SceneLook", "Eye (x, y, z)")},
+    {"target", QT_TRANSLATE_NOOP("pixelplumb::SceneLook", "Looks at (x, y, z)")},
+    {"up", QT_TRANSLATE_NOOP("pixelplumb::SceneLook", "Upward (x, y, z)")},
+    {"fieldOfView", QT_TRANSLATE_NOOP("pixelplumb::SceneLook", "Field of view, degrees")},
+    {"height", QT_TRANSLATE_NOOP("pixelplumb::SceneLook", "Height of the view")},
+    {"near", QT_TRANSLATE_NOOP("pixelplumb::SceneLook", "Near plane")},
+    {"far", QT_TRANSLATE_NOOP("pixelplumb::SceneLook", "Far plane")},
+    {"texture", QT_TRANSLATE_NOOP("pixelplumb::SceneLook", "Texture")},
+    {"filter", QT_TRANSLATE_NOOP("pixelplumb::SceneLook", "Texture filter")},
+    {"wrap", QT_TRANSLATE_NOOP("pixelplumb::SceneLook", "Beyond the texture's border")},
+    {"diffuse", QT_TRANSLATE_NOOP("pixelplumb::SceneLook", "Diffuse colour")},
+    {"specular", QT_TRANSLATE_NOOP("pixelplumb::SceneLook", "Specular colour")},
+    {"shininess", QT_TRANSLATE_NOOP("pixelplumb::SceneLook", "Shininess")},
+    {"direction", QT_TRANSLATE_NOOP("pixelplumb::SceneLook", "Direction (x, y, z)")},
+    {"position", QT_TRANSLATE_NOOP("pixelplumb::SceneLook", "Position (x, y, z)")},
+    {"color", QT_TRANSLATE_NOOP("pixelplumb::SceneLook", "Colour")},
+    {"ambient", QT_TRANSLATE_NOOP("pixelplumb::SceneLook", "Ambient light")},
+    {"shading", QT_TRANSLATE_NOOP("pixelplumb::SceneLook", "Shading")},
+    {"depth", QT_TRANSLATE_NOOP("pixelplumb::SceneLook", "Depth test")},
+    {"depthBits", QT_TRANSLATE_NOOP("pixelplumb::SceneLook", "Bits of depth")},
+    {"antialiasing", QT_TRANSLATE_NOOP("pixelplumb::SceneLook", "Samples per pixel")},
+};
+
+/// A key in words; the key where there are none.
+QString wordsOf(const QString &key)
 {
-    static const QRegularExpression bare(
-        u"^(\\[[^\\[\\]{}:]*\\]|-?\\d+(\\.\\d+)?([eE][-+]?\\d+)?)$"_s);
-    const bool isBare = key != textureKey && bare.match(value).hasMatch();
-    return isBare ? value.toUtf8() : quotedText(value.toUtf8());
+    const auto found = std::ranges::find_if(
+        keyWords, [&key](const KeyWords &each) { return key == QLatin1String(each.key); });
+    return found != std::end(keyWords) ? SceneLook::tr(found->words) : key;
+}
+
+/// A number as it is, all else as text.
+QByteArray jsonText(const QString &value)
+{
+    static const QRegularExpression bare(u"^-?\\d+(\\.\\d+)?([eE][-+]?\\d+)?$"_s);
+    return bare.match(value).hasMatch() ? value.toUtf8() : quotedText(value.toUtf8());
+}
+
+/// "[0, 1, 6]" as it is edited: "0, 1, 6".
+QString withoutBrackets(QString list)
+{
+    if (list.startsWith(u'[') && list.endsWith(u']'))
+        list = list.sliced(1, list.size() - 2);
+    return list.remove(u'"');
+}
+
+QByteArray jsonList(const QString &value)
+{
+    QByteArrayList numbers;
+    for (const QString &each : withoutBrackets(value).split(u','))
+        numbers += jsonText(each.trimmed());
+    return "[" + numbers.join(", ") + "]";
 }
 
 void addField(QStandardItem *parent, const FieldText &field)
 {
-    auto *key = new QStandardItem(field.name);
-    auto *value = new QStandardItem(field.value == field.byDefault ? QString() : field.value);
-    auto *byDefault = new QStandardItem(field.byDefault);
+    const bool isList = std::ranges::find(listKeys, field.name) != listKeys.end();
+    const auto shown
+        = [isList](const QString &text) { return isList ? withoutBrackets(text) : text; };
+    auto *key = new QStandardItem(wordsOf(field.name));
+    auto *value
+        = new QStandardItem(field.value == field.byDefault ? QString() : shown(field.value));
+    auto *byDefault = new QStandardItem(shown(field.byDefault));
+    key->setData(field.name, SceneLook::keyRole);
+    key->setToolTip(SceneLook::tr("“%1” in a scene file").arg(field.name));
     value->setData(field.choices, SceneLook::choicesRole);
+    value->setData(isList, isListRole);
     key->setEditable(false);
     byDefault->setEditable(false);
     byDefault->setEnabled(false); // pale
@@ -50,10 +113,23 @@ QString valueIn(const QStandardItem &part, int row)
     return cell ? cell->text().trimmed() : QString();
 }
 
+QString keyIn(const QStandardItem &part, int row)
+{
+    return part.child(row, SceneLook::Key)->data(SceneLook::keyRole).toString();
+}
+
+QByteArray jsonIn(const QStandardItem &part, int row)
+{
+    const QString value = valueIn(part, row);
+    if (part.child(row, SceneLook::Value)->data(isListRole).toBool())
+        return jsonList(value);
+    return keyIn(part, row) == textureKey ? quotedText(value.toUtf8()) : jsonText(value);
+}
+
 QString textureNameIn(const QStandardItem &material)
 {
     for (int row = 0; row < material.rowCount(); ++row) {
-        if (material.child(row, SceneLook::Key)->text() == textureKey)
+        if (keyIn(material, row) == textureKey)
             return valueIn(material, row);
     }
     return {};
@@ -64,10 +140,10 @@ QByteArray fieldsText(const QStandardItem &part, const Textures &known)
 {
     QByteArrayList fields;
     for (int row = 0; row < part.rowCount(); ++row) {
-        const QString key = part.child(row, SceneLook::Key)->text();
+        const QString key = keyIn(part, row);
         const QString value = valueIn(part, row);
         if (!value.isEmpty() && !(key == textureKey && known.contains(value)))
-            fields.append(quotedText(key.toUtf8()) + ": " + jsonText(key, value));
+            fields.append(quotedText(key.toUtf8()) + ": " + jsonIn(part, row));
     }
     return fields.join(", ");
 }
@@ -91,24 +167,25 @@ SceneLook::SceneLook(const Scene &scene, const QString &folder, QObject *parent)
     , m_forced(scene.appearance.forced)
     , m_usedMaterials(usedMaterialsOf(scene))
 {
-    setHorizontalHeaderLabels({tr("key"), tr("value"), tr("default")});
-    m_camera = addPart(invisibleRootItem(), u"camera"_s);
+    setHorizontalHeaderLabels({tr("setting"), tr("value"), tr("default")});
+    m_camera = addPart(invisibleRootItem(), u"camera"_s, tr("Camera"));
     m_camera->setCheckState(scene.camera ? Qt::Checked : Qt::Unchecked);
     m_camera->setCheckable(scene.solids.empty()); // these need a camera
     addFields(m_camera, fieldTexts(scene.camera.value_or(Camera())));
-    m_materials = addPart(invisibleRootItem(), u"materials"_s);
+    m_materials = addPart(invisibleRootItem(), u"materials"_s, tr("Materials"));
     for (const Material &material : scene.appearance.materials)
         addMaterial(material);
-    m_lights = addPart(invisibleRootItem(), u"lights"_s);
+    m_lights = addPart(invisibleRootItem(), u"lights"_s, tr("Lights"));
     for (const Light &light : scene.appearance.lights)
-        addFields(addPart(m_lights, {}), fieldTexts(light));
+        addFields(addPart(m_lights, {}, {}), fieldTexts(light));
     nameLights();
     addFields(invisibleRootItem(), fieldTexts(scene.appearance));
 }
 
-QStandardItem *SceneLook::addPart(QStandardItem *parent, const QString &name)
+QStandardItem *SceneLook::addPart(QStandardItem *parent, const QString &key, const QString &words)
 {
-    auto *part = new QStandardItem(name);
+    auto *part = new QStandardItem(words);
+    part->setData(key, keyRole);
     part->setEditable(false);
     parent->appendRow(part);
     return part;
@@ -116,7 +193,7 @@ QStandardItem *SceneLook::addPart(QStandardItem *parent, const QString &name)
 
 void SceneLook::addMaterial(const Material &material)
 {
-    QStandardItem *part = addPart(m_materials, QString::fromStdString(material.name));
+    QStandardItem *part = addPart(m_materials, {}, QString::fromStdString(material.name));
     part->setEditable(true);
     part->setToolTip(tr("The material's name, by which primitives name it"));
     addFields(part, fieldTexts(material, m_folder));
@@ -126,7 +203,7 @@ void SceneLook::addMaterial(const Material &material)
 
 QModelIndex SceneLook::addLight()
 {
-    QStandardItem *part = addPart(m_lights, {});
+    QStandardItem *part = addPart(m_lights, {}, {});
     Light fromAbove;
     fromAbove.at = {0, -attributeOne, -attributeOne};
     addFields(part, fieldTexts(fromAbove));
@@ -155,7 +232,7 @@ QModelIndex SceneLook::addMaterial()
 void SceneLook::nameLights()
 {
     for (int row = 0; row < m_lights->rowCount(); ++row)
-        m_lights->child(row)->setText(u"[%1]"_s.arg(row));
+        m_lights->child(row)->setText(tr("Light %1").arg(row + 1));
 }
 
 bool SceneLook::canRemove(const QModelIndex &index) const

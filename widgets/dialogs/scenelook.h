@@ -17,13 +17,14 @@ struct ChosenLook {
 };
 
 /// The camera, the lights, the materials and the other fields of a scene's look as rows to edit:
-/// key, value, default, as they stand in a scene file. An empty value is the default.
+/// what it is, value, default. An empty value is the default; a list of numbers has no brackets.
 class SceneLook : public QStandardItemModel {
     Q_OBJECT
 
 public:
     enum Column { Key, Value, Default };
     static constexpr int choicesRole = Qt::UserRole; ///< QStringList: what a value can be
+    static constexpr int keyRole = Qt::UserRole + 1; ///< in the first column: the key of a file
 
     /// `folder`: the scene's, in which textures are looked up.
     SceneLook(const Scene &scene, const QString &folder, QObject *parent = nullptr);
@@ -38,7 +39,7 @@ public:
     void remove(const QModelIndex &index);
 
 private:
-    QStandardItem *addPart(QStandardItem *parent, const QString &name);
+    QStandardItem *addPart(QStandardItem *parent, const QString &key, const QString &words);
     void addMaterial(const Material &material);
     QByteArray text() const;
     void nameLights();

@@ -54,6 +54,14 @@ Explanation invitation(const Playhead &playhead)
     return explanation;
 }
 
+/// A step's explanation with its sentences in the window's language.
+Explanation inWindowsWords(Explanation explanation)
+{
+    explanation.sentence = coreSentences(explanation.sentence);
+    explanation.event = coreSentences(explanation.event);
+    return explanation;
+}
+
 ChannelSymbols symbolsIn(const QTextBrowser &formulas)
 {
     const int wanted = widthForBeside * formulas.fontMetrics().averageCharWidth();
@@ -126,7 +134,7 @@ void FormulaPanel::explainStep()
         return;
     }
     const TracedScene &traced = *m_playhead->traced();
-    present(pixelplumb::explainStep(traced, m_playhead->position() - 1));
+    present(inWindowsWords(pixelplumb::explainStep(traced, m_playhead->position() - 1)));
 }
 
 void FormulaPanel::present(const Explanation &explanation)
@@ -227,7 +235,7 @@ void FormulaPanel::measureRun()
     const auto include = [&](std::size_t step) {
         if (step >= trace.stepCount() || trace.stepAt(step).kind == StepKind::SetUp)
             return;
-        const Explanation explanation = pixelplumb::explainStep(*traced, step);
+        const Explanation explanation = inWindowsWords(pixelplumb::explainStep(*traced, step));
         sentence = std::max(sentence, sentenceHeight(explanation));
         formulas = std::max(formulas, formulasHeight(explanation));
     };

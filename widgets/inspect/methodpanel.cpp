@@ -39,9 +39,9 @@ QString variantsHtml(VariantSet variants, SpanAxis axis)
     const auto text = [](std::string_view part) { return typesetHtml(nameText(part)); };
     for (const Variant variant : variantsIn(variants)) {
         const VariantWords &words = wordsOf(variant, axis);
-        html += u"<p>%1 <b>%2</b>: %3 %4 %5. %6</p>"_s.arg(
-            MethodPanel::tr("With the variant"), text(words.title), text(words.printed),
-            MethodPanel::tr("in place of"), text(words.right), text(words.fault));
+        html += u"<p>%1 <b>%2</b>: %3 %4 %5. %6</p>"_s.arg(u"With the variant"_s, text(words.title),
+                                                           text(words.printed), u"in place of"_s,
+                                                           text(words.right), text(words.fault));
     }
     return html;
 }
@@ -102,9 +102,9 @@ void MethodPanel::present()
     const int scrolled = m_text->verticalScrollBar()->value();
     m_text->setHtml(u"<p><b>%1</b><br>%2</p>%3<table cellspacing=0 cellpadding=2 "
                     "width=\"100%\">%4</table><p><small>%5</small></p>"_s.arg(
-                        methodTitle(method).toHtmlEscaped(), typesetHtml(methodSummary(method)),
+                        inEnglish(method.title).toHtmlEscaped(), typesetHtml(method.summary),
                         variantsHtml(traced->scene.settings.variants, method.spanAxis), rows,
-                        tr("From: %1.").arg(method.source).toHtmlEscaped()));
+                        u"From: %1."_s.arg(method.source).toHtmlEscaped()));
     m_text->verticalScrollBar()->setValue(scrolled);
     showCurrentLines();
     setAccessibleDescription(current.join(u"; "_s));

@@ -2,6 +2,7 @@
 #include "widgets/inspect/pixelhistorypanel.h"
 
 #include "widgets/inspect/delegates.h"
+#include "widgets/look/corewords.h"
 #include "widgets/look/parts.h"
 #include "widgets/look/signs.h"
 #include "widgets/look/typesetting.h"
@@ -217,8 +218,7 @@ void PixelHistoryPanel::describePixel()
 
 void PixelHistoryPanel::showReason(const QModelIndex &index)
 {
-    const QString reason
-        = index.isValid() ? index.data(PixelHistoryModel::ReasonRole).toString() : QString();
+    const QString reason = coreSentences(index.data(PixelHistoryModel::ReasonRole).toString());
     m_reason->setText(typesetHtml(reason));
     fitReason();
     setAccessibleDescription(reason);

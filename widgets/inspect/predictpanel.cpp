@@ -4,6 +4,7 @@
 #include "core/runs/tracedscene.h"
 #include "widgets/look/corewords.h"
 #include "widgets/look/parts.h"
+#include "widgets/look/symbolitems.h"
 #include "widgets/look/typesetting.h"
 #include "widgets/model/playhead.h"
 #include "widgets/model/scenedocument.h"
@@ -35,7 +36,7 @@ QPushButton *button(QWidget *parent, const char *name, const QString &text)
 PredictPanel::PredictPanel(SceneDocument *document, Playhead *playhead, QWidget *parent)
     : QWidget(parent)
     , m_playhead(playhead)
-    , m_choice(new QComboBox(this))
+    , m_choice(new SymbolBox(this))
     , m_question(wordsIn(this, "predictQuestion", tr("The question")))
     , m_answer(new QLineEdit(this))
     , m_check(button(this, "predictCheck", tr("&Check")))
@@ -178,7 +179,9 @@ void PredictPanel::listQuestions()
         if (m_nextPixel)
             m_choice->addItem(tr("the next pixel"));
         const int same = m_choice->findText(chosen);
-        m_choice->setCurrentIndex(same >= 0 || m_choice->count() == 0 ? same : 0);
+        const auto open = std::ranges::find(m_predictions, false, &Prediction::isRepeated);
+        m_choice->setCurrentIndex(
+            same >= 0 ? same : std::min(int(open - m_predictions.begin()), m_choice->count() - 1));
     }
     ask();
 }
@@ -192,27 +195,29 @@ void PredictPanel::ask()
     if (const Prediction *asked = prediction()) {
         const bool isWhole = asksForWhole(*asked);
         example = isWhole ? tr("2") : tr("2, 2.75, 11/4 or 2 3/4");
-        m_question->setText(
-            typesetHtml(tr("%1: what is %2?").arg(coreWord(asked->place), asked->words) + u' '
-                        + (isWhole ? tr("A whole number.")
-                                   : tr("A fraction, or a decimal rounded to %1 places or more.")
-                                         .arg(leastPlaces))));
+        m_question->setText(typesetHtml(
+            tr("%1: what is %2?").arg(coreWord(asked->place), coreWord(asked->words)) + u' '
+            + (isWhole ? tr("A whole number.")
+                       : tr("A fraction, or a decimal rounded to %1 places or more.")
+                             .arg(leastPlaces))));
     } else if (asksForPixel()) {
         example = tr("x, y");
         m_question->setText(tr("Which pixel of the frame is written next? Type its x, y, "
-                               "right-click it, or go there with the "
-                               "arrow keys and press Check."));
+                               "right-click it, or go there with the arrow keys and press Check."));
     } else {
-        m_question->setText(m_playhead->end() == 0
-                                ? tr("Nothing is drawn yet: what you draw is asked for.")
-                                : tr("Nothing lies ahead: step back, or run to the start."));
+        m_question->setText(
+            m_playhead->end() == 0
+                ? tr("Nothing is drawn yet. Draw something, and its numbers are asked "
+                     "for.")
+                : tr("The run has ended, so there is nothing to predict: step back, "
+                     "or go to the start."));
     }
     m_answer->setPlaceholderText(example);
     if (const Prediction *asked = prediction(); asked && asked->isRepeated)
-        m_verdict->setText(tr("It is the same along the whole primitive: earlier rows of the table "
-                              "show it, and the answer does not count."));
+        m_verdict->setText(tr("This number is the same along the whole primitive and stands in "
+                              "earlier rows of the table, so the answer does not count."));
     else if (!example.isEmpty() && hasBeenSeen())
-        m_verdict->setText(tr("This step has been shown already, so the answer does not count."));
+        m_verdict->setText(tr("This step has already been shown, so the answer does not count."));
     if (!example.isEmpty() && m_left == place())
         return settle(tr("The panel was closed with this question open. %1").arg(answerText()));
     offer(example.isEmpty() ? QList<QWidget *>() : QList<QWidget *>{m_answer, m_check, m_show});

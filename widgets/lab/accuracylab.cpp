@@ -90,8 +90,8 @@ void AccuracyLab::connectControls()
     connect(m_controls, &LabControls::saveChartRequested, this, &AccuracyLab::saveChart);
     connect(m_controls, &LabControls::copyCommandRequested, this, [this] {
         if (results()->command.isEmpty()) {
-            emit complaint(tr("There is no command: the scene had not been saved when measured. "
-                              "Save it and run the lab again."));
+            emit complaint(tr("There is no command because the scene was not saved when it was "
+                              "measured. Save it and run the lab again."));
             return;
         }
         QApplication::clipboard()->setText(results()->command);
@@ -140,7 +140,7 @@ void AccuracyLab::endRun()
     if (m_shown.endRun())
         showResults();
     if (results() && !m_shown.areOfRun())
-        emit notice(tr("Cancelled before anything was timed: the results before it stay."));
+        emit notice(tr("Cancelled before anything was timed; the earlier results stay."));
     showState();
 }
 
@@ -173,7 +173,8 @@ void AccuracyLab::showState()
     if (results() && !isRunning())
         warnings = warningsOf(*results());
     else if (results() && !m_shown.areOfRun())
-        warnings = {tr("Results before this run, until it has times of this family.")};
+        warnings = {tr("These are the results of the previous run, until this run has "
+                       "times for this family.")};
     m_warnings->setVisible(!warnings.isEmpty());
     m_warnings->setWholeText(u"⚠ "_s + warnings.join(u" ⚠ "_s));
     if (results())
@@ -199,7 +200,7 @@ void AccuracyLab::saveChart()
 {
     LabPlot *chart = m_charts->chartInFront();
     if (!chart) {
-        emit complaint(tr("A table stands in front: choose the tab of a chart."));
+        emit complaint(tr("The table is in front: choose the tab of a chart."));
         return;
     }
     const QString path = m_files->askForOutput(

@@ -54,11 +54,13 @@ LabAnswers::LabAnswers(QWidget *parent)
         {{tr("budget"), tr("What is asked for"),
           [](const Row &row) { return coreWord(textOf(row.answer.budget)); }, Qt::AlignLeft},
          {tr("cheapest contender"),
-          tr("Who gives it for the least time on this family of triangles"),
+          tr("The fastest contender that meets this limit on this family of "
+             "triangles"),
           [](const Row &row) { return row.contender; }, Qt::AlignLeft},
          {tr("known by"),
-          tr("Whether it is proved, or was only never seen otherwise in this study. A "
-             "SIMD kernel is tested to write what the proved plain one does"),
+          tr("Whether it is proved, or only observed in this study. Tests "
+             "check that a SIMD kernel writes what the proved plain kernel "
+             "writes"),
           [](const Row &row) { return groundText(row.answer); }, Qt::AlignLeft},
          {tr("ns a pixel"), tr("The median of all rounds"),
           [](const Row &row) {

@@ -75,39 +75,40 @@ struct FigureColumn {
 };
 
 constexpr FigureColumn figureColumns[] = {
-    {QT_TRANSLATE_NOOP("pixelplumb::LabTable", "wrong of a million"),
+    {QT_TRANSLATE_NOOP("pixelplumb::LabTable", "wrong per million"),
      QT_TRANSLATE_NOOP("pixelplumb::LabTable",
-                       "wrong pixels of a million: those that differ from the truth"),
+                       "wrong pixels per million: those that differ from the truth"),
      wrongPerMillion, Shown::AsFigure},
     {QT_TRANSLATE_NOOP("pixelplumb::LabTable", "ns a pixel"),
      QT_TRANSLATE_NOOP("pixelplumb::LabTable", "the median of all rounds"), perPixel,
      Shown::AsFigure},
     {QT_TRANSLATE_NOOP("pixelplumb::LabTable", "times assignment's"),
      QT_TRANSLATE_NOOP("pixelplumb::LabTable",
-                       "how many times what the assignment's method takes, the "
-                       "column scan in float32"),
+                       "time relative to the assignment's method, the column scan in "
+                       "float32"),
      timesReference, Shown::AsFigure},
     {QT_TRANSLATE_NOOP("pixelplumb::LabTable", "times straight loop"),
      QT_TRANSLATE_NOOP("pixelplumb::LabTable",
-                       "how many times what the shortest loop takes that is written out "
-                       "by hand for the same pixels; up to 1.3 is fair"),
+                       "time relative to the shortest hand-written loop that draws the "
+                       "same pixels; up to 1.3 is fair"),
      timesStraight, Shown::AsFigure},
     {QT_TRANSLATE_NOOP("pixelplumb::LabTable", "spread, %"),
-     QT_TRANSLATE_NOOP("pixelplumb::LabTable", "the middle half of all rounds, of their median"),
+     QT_TRANSLATE_NOOP("pixelplumb::LabTable",
+                       "the middle half of all rounds, relative to their median"),
      spreadShare, Shown::AsFigure},
     {QT_TRANSLATE_NOOP("pixelplumb::LabTable", "set-up, ns"),
      QT_TRANSLATE_NOOP("pixelplumb::LabTable",
-                       "what a triangle takes before its first column, shared out among its "
-                       "pixels: from a fit over all families"),
+                       "the time before a triangle's first column, divided among its "
+                       "pixels; fitted over all families"),
      costPart<&CostParts::setUp>, Shown::AsFigure},
     {QT_TRANSLATE_NOOP("pixelplumb::LabTable", "columns, ns"),
      QT_TRANSLATE_NOOP("pixelplumb::LabTable",
-                       "what a column or a row takes, shared out among its pixels: from a fit "
+                       "the time of a column or a row, divided among its pixels; fitted "
                        "over all families"),
      costPart<&CostParts::columns>, Shown::AsFigure},
     {QT_TRANSLATE_NOOP("pixelplumb::LabTable", "pixel, ns"),
      QT_TRANSLATE_NOOP("pixelplumb::LabTable",
-                       "what a pixel takes by itself: from a fit over all families"),
+                       "the time of a pixel by itself; fitted over all families"),
      costPart<&CostParts::pixels>, Shown::AsFigure},
     {QT_TRANSLATE_NOOP("pixelplumb::LabTable", "missing ?"),
      QT_TRANSLATE_NOOP("pixelplumb::LabTable", "samples inside that are not painted"),

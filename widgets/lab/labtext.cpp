@@ -83,8 +83,8 @@ QStringList errorLines(const Study &study, const ParetoPoint &point, const LabRo
         lines.append(LabText::tr("no error, by proof: %1").arg(contender->domain.toHtmlEscaped()));
         break;
     case ErrorClass::ZeroTested:
-        lines.append(LabText::tr("no error: proved of the plain kernel; that this SIMD kernel "
-                                 "writes the same bytes is tested, not proved"));
+        lines.append(LabText::tr("no error: proved for the plain kernel. Tests check that this "
+                                 "SIMD kernel writes the same bytes; this is not proved"));
         break;
     case ErrorClass::ZeroObserved:
         lines.append(
@@ -100,8 +100,8 @@ QString joinedLines(QStringList lines, const LabRow *row)
 {
     if (row && row->firstMiss)
         lines.append(
-            LabText::tr("Click: opens the scene of its first wrong pixel (%1, %2) here and "
-                        "in Compare; unsaved changes are asked about first")
+            LabText::tr("Click: opens the scene of its first wrong pixel (%1, %2) here and in "
+                        "Compare; unsaved changes are asked about first")
                 .arg(row->firstMiss->x)
                 .arg(row->firstMiss->y));
     return lines.join(u"<br>"_s);
@@ -125,8 +125,8 @@ QString pointHtml(const Study &study, const ParetoPoint &point, const QString &f
                          .arg(figureText(*point.missesStraight)));
     if (point.isOnFrontier)
         lines.append(point.kernel == LabKernel::Plain
-                         ? LabText::tr("of the plain kernels shown none is as exact for less time")
-                         : LabText::tr("of the SIMD kernels shown none is as exact for less time"));
+                         ? LabText::tr("no plain kernel shown is as exact in less time")
+                         : LabText::tr("no SIMD kernel shown is as exact in less time"));
     return joinedLines(lines, row);
 }
 
@@ -142,7 +142,7 @@ QString untimedHtml(const Study &study, const ParetoPoint &point, const QString 
     else
         lines.append(study.isComplete
                          ? LabText::tr("not timed")
-                         : LabText::tr("its time comes when all of this family are judged"));
+                         : LabText::tr("its time is measured once all of this family are judged"));
     return joinedLines(lines, row);
 }
 
@@ -152,24 +152,24 @@ QString errorClassText(ErrorClass errorClass)
     case ErrorClass::Positive:
         break;
     case ErrorClass::ZeroObserved:
-        return LabText::tr("No error was seen over the pixels that were drawn. There may be some "
-                           "elsewhere.");
+        return LabText::tr("No error was seen in the pixels that were drawn. There may be "
+                           "errors elsewhere.");
     case ErrorClass::ZeroTested:
-        return LabText::tr(
-            "SIMD kernels of methods that are proved to make no error: that the SIMD "
-            "kernel writes the same bytes as the proved plain one is tested.");
+        return LabText::tr("SIMD kernels of methods that are proved to make no error. Tests "
+                           "check that the SIMD kernel writes the same bytes as the proved "
+                           "plain kernel.");
     case ErrorClass::ZeroProved:
-        return LabText::tr("That there is no error anywhere is proved, for the triangles that the "
-                           "dot names.");
+        return LabText::tr("It is proved that there is no error anywhere, for the triangles "
+                           "that the dot names.");
     }
     return {};
 }
 
 QString straightLoopText()
 {
-    return LabText::tr("The shortest loop that draws the same pixels in the same arithmetic, "
-                       "written out by hand. A method whose dot is near its loop costs what its "
-                       "arithmetic costs.");
+    return LabText::tr("The shortest hand-written loop that draws the same pixels in "
+                       "the same arithmetic. If a method's dot is near this loop, the "
+                       "method costs only what its arithmetic costs.");
 }
 
 QString errorLabel(const ErrorAxis &axis, LabelLength length)
@@ -177,8 +177,8 @@ QString errorLabel(const ErrorAxis &axis, LabelLength length)
     const QString unit = coreWord(std::string_view(axis.unit));
     const QString title = coreWord(std::string_view(axis.title));
     if (unit == u"ppm"_s)
-        return length == LabelLength::Short ? LabText::tr("of a million")
-                                            : LabText::tr("%1 of a million").arg(title);
+        return length == LabelLength::Short ? LabText::tr("per million")
+                                            : LabText::tr("%1 per million").arg(title);
     return length == LabelLength::Short ? unit : u"%1, %2"_s.arg(title, unit);
 }
 
@@ -243,23 +243,23 @@ QString priceText(const Study &study, const QString &family)
         const LabRow *row = study.row(id, family);
         if (row == reference || !row || !row->accuracy || !study.perPixel(*row))
             continue;
-        prices << LabText::tr("%1 ×%2, %3")
+        prices << LabText::tr("%1 takes %2× the time, %3 wrong")
                       .arg(nameText(nameOf(arithmetic)),
                            figureText(*study.perPixel(*row) / *study.perPixel(*reference)),
                            wrongOf(*row->accuracy));
     }
     if (prices.isEmpty())
         return {};
-    return LabText::tr("Column scan beside float32 (%1 wrong of a million): %2.")
+    return LabText::tr("Column scan, relative to float32 (%1 wrong pixels per million): %2.")
         .arg(wrongOf(*reference->accuracy), prices.join(u"; "_s));
 }
 
 QString invitationText(StudyExtent extent, double seconds)
 {
     const QString invitation = extent == StudyExtent::Quick
-        ? LabText::tr("Press Run to time fifteen contenders and count their wrong pixels: %1.")
-        : LabText::tr(
-            "Press Run to time every method in every arithmetic and count its wrong pixels: %1.");
+        ? LabText::tr("Press Run to time fifteen contenders and count their wrong pixels (%1).")
+        : LabText::tr("Press Run to time every method in every arithmetic and count its wrong "
+                      "pixels (%1).");
     return invitation.arg(coreWord(aboutText(seconds)));
 }
 

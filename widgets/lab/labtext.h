@@ -24,7 +24,7 @@ QString errorClassText(ErrorClass errorClass);
 /// What a straight loop is, and what it is for.
 QString straightLoopText();
 enum class LabelLength { Whole, Short };
-/// "wrong pixels of a million"; "of a million".
+/// "wrong pixels per million"; "per million".
 QString errorLabel(const ErrorAxis &axis, LabelLength length);
 /// The HTML without its tags, a line each.
 QString plainText(const QString &html);

@@ -135,12 +135,12 @@ void ParetoPlot::addStaircase(LabKernel kernel)
     stairs->setPen(QPen(staircaseColour(kernel), 1.5, isPlain ? Qt::SolidLine : Qt::DashLine));
     if (!isLow()) // the arithmetics need the legend's room
         addKey(stairs, isPlain ? tr("best plain kernels") : tr("best SIMD kernels"),
-               isPlain
-                   ? tr("The frontier: of plain kernels, which draw a pixel at a time, none is as "
-                        "exact for less time than those on this line.")
-                   : tr("The frontier of the SIMD kernels, which draw several pixels at once. They "
-                        "are compared among themselves: they are faster by how they are "
-                        "programmed, not by what they compute."));
+               isPlain ? tr("The frontier: no plain kernel, which draws one pixel at a time, "
+                            "is as exact in less time than those on this line.")
+                       : tr("The frontier of the SIMD kernels, which draw several pixels at "
+                            "once. They are compared only with each other: they are faster "
+                            "because of how they are programmed, not because of what they "
+                            "compute."));
     QVector<double> costs;
     QVector<double> errors;
     for (const StaircaseCorner &corner : corners) {
@@ -213,11 +213,12 @@ void ParetoPlot::addKeys()
     }
     if (hasAny([](const Dot &dot) { return dot.point.kernel == LabKernel::Fast; }))
         add(tr("SIMD kernel"), kernelDot(Arithmetic::Exact, LabKernel::Fast, palette()),
-            tr("A kernel that draws several pixels at once, by SIMD instructions. It is tested to "
-               "write the same bytes as the plain kernel."));
+            tr("A kernel that draws several pixels at once, by SIMD "
+               "instructions. Tests check that it writes the same bytes as the "
+               "plain kernel."));
     if (hasAny([](const Dot &dot) { return dot.point.kernel == LabKernel::Peer; }))
         add(tr("another renderer"), kernelDot(Arithmetic::Exact, LabKernel::Peer, palette()),
-            tr("Code of others, measured beside ours by the benchmark."));
+            tr("Code by others, measured in the same benchmark."));
     if (hasAny([](const Dot &dot) { return dot.point.straight.has_value(); }))
         add(tr("straight loop"), straightLoopDot(Arithmetic::Exact, palette()), straightLoopText());
     if (isLow())
@@ -225,12 +226,13 @@ void ParetoPlot::addKeys()
     if (hasAny([](const Dot &dot) { return dot.point.missesStraight.has_value(); }))
         add(tr("over 1.3 × its loop"),
             QCPScatterStyle(QCPScatterStyle::ssCircle, missPen(), QBrush(Qt::NoBrush), 12),
-            tr("Takes more than 1.3 times what its straight loop takes: a part of its cost is how "
-               "it is programmed, not what it computes."));
+            tr("It takes more than 1.3 times as long as its straight loop, so "
+               "part of its cost is how it is programmed, not what it computes."));
     if (!m_chart.untimed.empty())
         add(tr("not timed (yet)"),
             waitingDot(kernelDot(Arithmetic::Exact, LabKernel::Plain, palette())),
-            tr("Its error is known, its time is not: it waits at the left."));
+            tr("Its error is known but its time is not yet: it waits at the "
+               "left."));
 }
 
 } // namespace pixelplumb

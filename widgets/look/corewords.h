@@ -20,6 +20,12 @@ QString coreWord(std::string_view english);
 /// px · plain kernel 3.02 ns a pixel".
 QString coreWords(const QString &english, const QString &separator);
 
+/// Core's sentences, each translated like a name, where all of them have a translation; else, so
+/// that no text is half translated, inEnglish().
+QString coreSentences(const QString &english);
+/// A text of core that stays in English, and says so in another language.
+QString inEnglish(const QString &english);
+
 /// A method's name, and its sentence about itself, in the window's language; in English, as in
 /// files, exports and on the command line, where there is no translation.
 QString methodTitle(const Method &method);

@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/look/formulahtml.h"
 
+#include "widgets/look/corewords.h"
 #include "widgets/look/numberformat.h"
 #include "widgets/look/signs.h"
 #include "widgets/look/typesetting.h"
 
 #include <QCoreApplication>
+#include <QRegularExpression>
 
 #include <algorithm>
 #include <array>
@@ -95,6 +97,13 @@ QString errorText(const FormulaLine &line)
     return FormulaHtml::tr("error %1").arg(displayError(line.used, line.exact));
 }
 
+/// The symbols of a formula, which may name in words what it computes: "first row = ⌈y_B⌉".
+QString shownSymbols(const QString &symbols)
+{
+    static const QRegularExpression named(u"^([a-z]+ [A-Za-z]+)(?= [=←] )"_s);
+    return typesetHtml(QString(symbols).replace(named, coreWord(named.match(symbols).captured())));
+}
+
 class HtmlWriter {
 public:
     HtmlWriter(Arithmetic arithmetic, const QPalette &palette,
@@ -125,7 +134,7 @@ public:
 
     void append(const FormulaLine &line)
     {
-        QString symbols = takeTitle() + typesetHtml(line.symbols);
+        QString symbols = takeTitle() + shownSymbols(line.symbols);
         const bool isGiven = line.substituted.isEmpty();
         const bool sharesLine = isGiven || line.subject != NumberSubject::General || isShort(line);
         if (sharesLine && !isGiven)
@@ -141,7 +150,7 @@ public:
     {
         const auto place = isShort(*formula.lines.front()) ? m_symbols : ChannelSymbols::Above;
         const bool isBeside = place == ChannelSymbols::Beside;
-        QString symbols = typesetHtml(formula.symbols);
+        QString symbols = shownSymbols(formula.symbols);
         if (!isBeside)
             row(wide(symbols));
         for (const FormulaLine *line : formula.lines) {

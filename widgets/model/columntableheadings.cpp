@@ -63,15 +63,16 @@ QVariant ColumnTableModel::headerData(int section, Qt::Orientation orientation, 
         return {};
     const NumberDescription &shown = number(section);
     if (role == Qt::DisplayRole) {
+        const QString title = coreWord(shown.title);
         switch (face(section)) {
         case NumberFace::Used:
             break;
         case NumberFace::Exact:
-            return tr("%1 exact").arg(shown.title);
+            return tr("%1 exact").arg(title);
         case NumberFace::Error:
-            return tr("%1 error").arg(shown.title);
+            return tr("%1 error").arg(title);
         }
-        return shown.title;
+        return title;
     }
     if (role == Qt::ToolTipRole)
         return numberToolTip(shown);

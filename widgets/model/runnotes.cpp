@@ -180,7 +180,9 @@ QString verdictNote(const TracedScene &traced)
         return {};
     const QString verdict = wrong == 0
         ? RunNotes::tr("When finished: all pixels correct")
-        : RunNotes::tr("When finished: %1 px wrong, truth %2 px").arg(wrong).arg(traced.truePixels);
+        : RunNotes::tr("When finished: %1 px wrong; the exact picture has %2 px")
+              .arg(wrong)
+              .arg(traced.truePixels);
     return traced.scene.appearance.forced == EffectForcing{}
         ? verdict
         : RunNotes::tr("as forced: %1").arg(verdict);

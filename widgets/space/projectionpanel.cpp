@@ -159,11 +159,11 @@ QString ProjectionPanel::sceneSentence() const
     if (!m_seen)
         return tr("The scene is being drawn.");
     if (m_seen->scene.solids.empty()) {
-        return tr(
-            "This scene has no solids. For a face of a sphere, a plane, a patch, a mesh or a "
-            "polygon in space, this panel shows how the camera takes it to the frame: the eye's "
-            "axes, clip coordinates, clipping at the near plane, division by w, and rounding to "
-            "the lattice, each number beside its exact value.");
+        return tr("This scene has no solids. For a face of a sphere, a plane, a patch, a mesh or "
+                  "a polygon in space, this panel shows how the camera takes it to the frame: "
+                  "from its vertices to the eye's axes, clip coordinates, clipping at the near "
+                  "plane, division by w, pixels and rounding to the lattice, with each number "
+                  "beside its exact value.");
     }
     const QString triangles
         = tr("The scene's solids become %n triangles.", nullptr, int(m_projected.sources.size()));

@@ -7,17 +7,6 @@
 
 namespace pixelplumb {
 
-/// Draws an item's text with subscripts (see SymbolText), cut off where it does not fit.
-class SymbolDelegate : public QStyledItemDelegate {
-    Q_OBJECT
-
-public:
-    using QStyledItemDelegate::QStyledItemDelegate;
-
-    void paint(QPainter *painter, const QStyleOptionViewItem &option,
-               const QModelIndex &index) const override;
-};
-
 /// A stage's number for display: the shortest decimal of the number used, 20 digits of the exact
 /// one, and used − exact in two digits ("0" where they are equal), with a true minus sign.
 QString usedText(const StageNumber &number);

@@ -86,7 +86,7 @@ void MainWindow::offerRecovery()
                                       QMessageBox::NoButton, this),
                       "recoveryDialog");
     box->setTextFormat(Qt::PlainText); // a name may look like HTML
-    box->setInformativeText(tr("The recovered scene is unsaved; save it to keep it."));
+    box->setInformativeText(tr("The recovered scene has no file yet: save it to keep it."));
     const QPushButton *yes = box->addButton(tr("&Recover"), QMessageBox::AcceptRole);
     const QPushButton *no = box->addButton(tr("&Discard"), QMessageBox::DestructiveRole);
     box->setEscapeButton(box->addButton(tr("&Later"), QMessageBox::RejectRole));

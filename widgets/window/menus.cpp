@@ -225,8 +225,7 @@ void HelpMenu::showAbout()
     QMessageBox about(
         QMessageBox::NoIcon, tr("About Pixelplumb"),
         tr("<h3>Pixelplumb %1</h3><p>See, step through, measure and grade triangle scan "
-           "conversion.</p><p>Qt %2, %3, %4</p><p>Licence: GPL-3.0-or-later</p><p>Pixelplumb uses "
-           "no "
+           "conversion.</p><p>Qt %2, %3, %4</p><p>Licence: GPL-3.0-or-later. Pixelplumb uses no "
            "network and sends no data.</p>")
             .arg(QCoreApplication::applicationVersion(), QLatin1String(qVersion()),
                  QSysInfo::prettyProductName(), QSysInfo::currentCpuArchitecture()),

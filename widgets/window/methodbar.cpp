@@ -181,7 +181,7 @@ void MethodBar::addSettings()
 {
     const auto fill = [this](QComboBox *box, const auto &choices, auto member) {
         for (const auto choice : choices)
-            box->addItem(QString::fromUtf8(nameOf(choice)));
+            box->addItem(coreWord(nameOf(choice)));
         connect(box, &QComboBox::activated, this, [this, choices, member](int row) {
             ScanSettings settings = m_document->scene().settings;
             settings.*member = choices[std::size_t(row)];

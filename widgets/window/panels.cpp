@@ -82,8 +82,8 @@ constexpr Panel table[] = {
     {"submissionDock", QT_TRANSLATE_NOOP("pixelplumb::WindowDocks", "Submission"),
      kind<SubmissionPanel, &WindowParts::student, thePlayhead>, Workspace::Grade, leftArea,
      shownAtFirst, tellsFinished},
-    {"gradingDock", QT_TRANSLATE_NOOP("pixelplumb::WindowDocks", "Grading"), kind<GradingPanel>,
-     Workspace::Grade, bottomArea, shownAtFirst},
+    {"gradingDock", QT_TRANSLATE_NOOP("pixelplumb::WindowDocks", "Grading"),
+     kind<GradingPanel, theDocument>, Workspace::Grade, bottomArea, shownAtFirst},
 };
 
 } // namespace

@@ -26,10 +26,12 @@
 #include "widgets/window/workspaces.h"
 
 #include <QMessageBox>
+#include <QPushButton>
 
 #include <functional>
 #include <memory>
 #include <utility>
+#include <vector>
 
 namespace pixelplumb {
 
@@ -72,20 +74,31 @@ DefectStepper *connectDiagnosis(const WindowParts &parts, WindowDocks &docks, Ma
     return stepper;
 }
 
-/// Says that a file is not what was asked for, and offers what it is for.
-void offer(const char *name, const QString &text, const QString &question, const QString &answer,
-           QWidget *window, const std::function<void()> &accepted)
+/// What a box offers: the button's words, and what it does.
+struct Offer {
+    QString answer;
+    std::function<void()> accepted;
+};
+
+/// Says that a file is not what was asked for, and offers what it is for; the first offer is the
+/// default.
+void offer(const char *name, const QString &text, const QString &question,
+           const std::vector<Offer> &offers, QWidget *window)
 {
     auto *box = named(new QMessageBox(QMessageBox::Question, {}, text, QMessageBox::Cancel, window),
                       name);
     box->setTextFormat(Qt::PlainText); // a name may look like HTML
     box->setInformativeText(question);
-    box->setDefaultButton(box->addButton(answer, QMessageBox::AcceptRole));
     box->setAttribute(Qt::WA_DeleteOnClose);
-    QObject::connect(box, &QMessageBox::finished, window, [box, accepted] {
-        if (box->buttonRole(box->clickedButton()) == QMessageBox::AcceptRole)
-            accepted();
-    });
+    for (const Offer &each : offers) {
+        QPushButton *button = box->addButton(each.answer, QMessageBox::AcceptRole);
+        if (&each == &offers.front())
+            box->setDefaultButton(button);
+        QObject::connect(box, &QMessageBox::finished, window, [box, button, each] {
+            if (box->clickedButton() == button)
+                each.accepted();
+        });
+    }
     box->open();
 }
 
@@ -99,20 +112,25 @@ void connectMixedUpFiles(const WindowParts &parts, WindowDocks &docks, MainWindo
             offer("assignmentMet",
                   MainWindow::tr("“%1” is an assignment, not a scene.").arg(shownName(path)),
                   MainWindow::tr("A folder of submissions is graded by it."),
-                  MainWindow::tr("&Grade a folder…"), window,
-                  [&docks, path] { docks.raise<GradingPanel>()->gradeBy(path); });
+                  {{MainWindow::tr("&Grade a folder…"),
+                    [&docks, path] { docks.raise<GradingPanel>()->gradeBy(path); }}},
+                  window);
         },
         Qt::QueuedConnection);
     docks.whenBuilt<GradingPanel>([parts, window](GradingPanel *grading) {
         QObject::connect(
             grading, &GradingPanel::sceneMet, window,
-            [parts, window](const QString &path) {
+            [parts, grading, window](const QString &path) {
                 offer("sceneMet",
                       MainWindow::tr("“%1” is a scene, not an assignment.").arg(shownName(path)),
                       MainWindow::tr("An assignment names the scenes that submissions draw, and "
-                                     "what each is worth."),
-                      MainWindow::tr("&Open the scene"), window,
-                      [parts, path] { parts.files->openFile(path); });
+                                     "what each is worth. Without one, this scene can be the only "
+                                     "task, for 5 points."),
+                      {{MainWindow::tr("&Grade by this scene"),
+                        [grading, path] { grading->gradeByScene(path); }},
+                       {MainWindow::tr("&Open the scene"),
+                        [parts, path] { parts.files->openFile(path); }}},
+                      window);
             },
             Qt::QueuedConnection);
     });

@@ -95,7 +95,7 @@ void StatusFields::takeTrace()
         keepWide(m_step, tr("step %1 of %2").arg(end, end));
         const ScanSettings &settings = traced->scene.settings;
         QStringList words{
-            nameText(nameOf(settings.arithmetic)), nameText(nameOf(settings.fillRule)),
+            coreWord(nameOf(settings.arithmetic)), coreWord(nameOf(settings.fillRule)),
             frame.origin == FrameOrigin::BottomLeft ? tr("y upward") : tr("y downward")};
         if (frame.pixelCentre == PixelCentre::Half)
             words += tr("samples at ½");

@@ -111,6 +111,11 @@ inline constexpr int assignmentFormat = 1;
 Result<Assignment> readAssignment(const QByteArray &text, const QString &folder = {});
 Result<Assignment> readAssignmentFile(const QString &path);
 
+/// The assignment to draw one scene, the task "task", with the points of a scene that has none of
+/// its own; as it would be read from a file, so that a scene that its method cannot draw is an
+/// error.
+Result<Assignment> assignmentOf(const Scene &scene, const QString &name);
+
 /// What a JSON file says that it is, whether or not the rest of it can be read; Other for one that
 /// is too long to be read at once, beside the user's hand.
 enum class FileKind { Scene, Assignment, Other };

@@ -247,6 +247,14 @@ FileKind kindOfFile(const QString &path)
     return json.root()[sceneKey].isMissing() ? FileKind::Other : FileKind::Scene;
 }
 
+Result<Assignment> assignmentOf(const Scene &scene, const QString &name)
+{
+    Assignment assignment;
+    assignment.name = name;
+    assignment.scenes.push_back({u"task"_s, scene});
+    return readAssignment(writeAssignment(assignment));
+}
+
 Result<Assignment> readAssignmentFile(const QString &path)
 {
     const Result<QByteArray> text = readRegularFile(path);

@@ -39,27 +39,27 @@ std::vector<const SubmittedFile *> pictureFilesOf(const SubmissionEntry &entry,
     return files;
 }
 
-/// "shallow.png was taken; shallow.ppm is there, too"; or what was refused besides the file taken.
+/// "graded shallow.png; shallow.ppm is there, too"; or what was refused besides the file graded.
 std::optional<QString> noteOn(const std::vector<const SubmittedFile *> &files,
                               const QString &refusal)
 {
     if (files.size() == 1 && !refusal.isEmpty())
-        return u"%1 was taken; %2"_s.arg(escapedName(files.front()->name), refusal);
+        return u"graded %1; %2"_s.arg(escapedName(files.front()->name), refusal);
     if (files.size() < 2)
         return std::nullopt;
     QStringList others;
     for (const SubmittedFile *file : files)
         others += escapedName(file->name);
     const QString taken = others.takeFirst();
-    return u"%1 was taken; %2 %3 there, too"_s.arg(taken, others.join(u" and "_s),
-                                                   others.size() == 1 ? u"is"_s : u"are"_s);
+    return u"graded %1; %2 %3 there, too"_s.arg(taken, others.join(u" and "_s),
+                                                others.size() == 1 ? u"is"_s : u"are"_s);
 }
 
-/// "picture.png was taken, the only picture; small.png was asked for".
+/// "graded picture.png, the only picture; the assignment asked for small.png".
 QString noteOnName(const SubmittedFile &file, const AssignedScene &scene)
 {
-    return u"%1 was taken, the only picture; %2.png was asked for"_s.arg(escapedName(file.name),
-                                                                         scene.name);
+    return u"graded %1, the only picture; the assignment asked for %2.png"_s.arg(
+        escapedName(file.name), scene.name);
 }
 
 /// Why no file qualifies: an entry with a suitable name is no regular file. Empty: there is no such
@@ -73,7 +73,7 @@ QString refusalIn(const SubmissionEntry &entry, const IsSuch &isSuch)
         : refused.begin();
     if (found == refused.end())
         return {};
-    return u"%1 is %2; expected an ordinary file, for nothing else is read"_s.arg(
+    return u"%1 is %2; expected an ordinary file; nothing else is read"_s.arg(
         escapedName(found->name), found->kind);
 }
 

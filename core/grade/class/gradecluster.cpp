@@ -95,9 +95,9 @@ private:
     /// mistakes.
     static QString openTitle(const GradedSubmission &submission, const QString &sets)
     {
-        const QString title
-            = submission.lacksColours() ? rasterText(submission) : u"undecidable: full points"_s;
-        return sets.isEmpty() ? title : u"%1, as with %2"_s.arg(title, sets);
+        const QString title = submission.lacksColours() ? rasterText(submission) : u"full points"_s;
+        const QString why = u"another fill rule or rounding may explain it"_s;
+        return title + u": "_s + (sets.isEmpty() ? why : u"like %1, but %2"_s.arg(sets, why));
     }
 
     /// Among submissions with the same first set, keeps the sets that explain them all: rounding
@@ -120,7 +120,7 @@ private:
             return u", the same pictures as %1"_s.arg(alike.front());
         const bool isNear = !submission.candidates.empty()
             && isRelevant(submission.candidates.front().distance, submission.differing);
-        return isNear ? u", near to %1"_s.arg(setText(submission.candidates.front())) : QString();
+        return isNear ? u", close to %1"_s.arg(setText(submission.candidates.front())) : QString();
     }
 
     QMap<QString, QStringList> m_sets; ///< by the first set
@@ -145,7 +145,7 @@ QString verdictText(const GradedSubmission &submission)
 
 QString rasterText(const GradedSubmission &submission)
 {
-    return u"%1 as far as a raster tells: colours are not in it"_s.arg(nameOf(submission.verdict));
+    return u"%1 in coverage (a raster has no colours)"_s.arg(nameOf(submission.verdict));
 }
 
 std::vector<GradeCluster> clustersOf(const GradeReport &report)

@@ -48,7 +48,7 @@ void appendClass(const GradedSubmission &submission, QStringList &lines)
             lines += u"%1: not right in %2"_s.arg(scene.scene, failed.join(u" and "_s));
     }
     if (lines.isEmpty() && submission.verdict == GradeVerdict::Undecidable)
-        lines += u"right; what differs may be either way"_s;
+        lines += u"right: another fill rule or rounding may explain the pixels that differ"_s;
     else if (lines.isEmpty())
         lines += nameOf(submission.verdict);
 }
@@ -92,7 +92,7 @@ void appendFull(const GradedSubmission &submission, QStringList &lines)
         const QString open = undecidableText(candidate.undecidable.value_or(0));
         lines += candidate.distance == 0
             ? (u"explained by "_s + ids + (open.isEmpty() ? QString() : u", "_s + open))
-            : u"near to %1, %2"_s.arg(ids, countText(candidate.distance, u"left"_s));
+            : u"close to %1, %2"_s.arg(ids, countText(candidate.distance, u"left"_s));
         lines += candidate.forAssistant;
         if (const auto &parts = candidate.parts)
             lines += u"%1 parts at step %2, %3: %4"_s.arg(parts->scene)
@@ -100,16 +100,16 @@ void appendFull(const GradedSubmission &submission, QStringList &lines)
                          .arg(parts->heading, parts->text);
     }
     if (!synonyms.isEmpty())
-        lines += u"the same pictures come of "_s + synonyms.join(u"; "_s);
+        lines += u"the same pictures also come from "_s + synonyms.join(u"; "_s);
     if (const QString text = unsandboxedText(submission); !text.isEmpty())
         lines += text;
     for (const GradedScene &scene : submission.scenes) {
         if (scene.explanations)
-            lines
-                += u"%1 alone is explained by %2"_s.arg(scene.scene, firstOf(*scene.explanations));
+            lines += u"%1 taken alone is explained by %2"_s.arg(scene.scene,
+                                                                firstOf(*scene.explanations));
         for (const QString &cause : scene.causes)
-            lines += u"%1: most differences are gone with this done to the whole "
-                     "picture: %2"_s.arg(scene.scene, cause);
+            lines += u"%1: most differences vanish if this is done to the whole picture: %2"_s.arg(
+                scene.scene, cause);
         if (scene.run && !scene.run->messages.isEmpty())
             lines += u"%1: the program said: %2"_s.arg(scene.scene, scene.run->messages.trimmed());
     }
@@ -283,7 +283,7 @@ QStringList sentencesFor(const GradedSubmission &submission, HintLevel level)
     if (level >= HintLevel::Full)
         appendFull(submission, lines);
     if (submission.review.points)
-        lines += u"%1 points in place of %2: %3"_s.arg(*submission.review.points)
+        lines += u"%1 points instead of %2: %3"_s.arg(*submission.review.points)
                      .arg(submission.pointsOfChecks())
                      .arg(submission.review.reason.value_or(QString()));
     if (!submission.review.comment.isEmpty())

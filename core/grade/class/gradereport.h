@@ -192,7 +192,7 @@ QString rasterText(const GradedSubmission &submission);
 /// by equal pictures, or else by the nearest set. Those without a picture are grouped by the reason
 /// why it is missing.
 struct GradeCluster {
-    QString title; ///< "unsorted-colours", "right", "no known defect, near to flat-first"
+    QString title; ///< "unsorted-colours", "right", "no known defect, close to flat-first"
     QStringList forStudent; ///< of its first set
     QStringList forAssistant;
     std::vector<std::size_t> submissions; ///< indices in the report, ascending

@@ -47,12 +47,12 @@ QString LabContender::domain() const
     if (!isProved())
         return {};
     if (kernel == LabKernel::Fast)
-        return u"every triangle with vertices at 1/256 px by the plain kernel, whose "
-               "bytes this one is tested to draw"_s;
+        return u"every triangle with vertices at 1/256 px, with the plain kernel; tests check "
+               "that this kernel draws the same bytes"_s;
     if (arithmetic == Arithmetic::Exact)
         return u"every triangle with vertices at 1/256 px"_s;
-    return u"triangles in boxes of up to 2^24 px², such as 4096 × 4096; larger ones "
-           "are drawn in integers"_s;
+    return u"triangles in boxes of up to 2^24 px², such as 4096 × 4096; larger ones are drawn in "
+           "integers"_s;
 }
 
 ScanSettings LabContender::settingsUnder(FillRule rule) const

@@ -155,7 +155,9 @@ const FormulaLine *lineOf(const Explanation &explanation, const FormulaLine &lik
 QString titleOf(const QString &symbols)
 {
     const QString assigned = assignedIn(symbols);
-    return isRounding(symbols) ? symbols.sliced(assigned.size() + u" = "_s.size()) : assigned;
+    return isRounding(symbols) && assigned.contains(u' ')
+        ? symbols.sliced(assigned.size() + u" = "_s.size())
+        : assigned;
 }
 
 /// The formula with its numbers, which may be the value already: y_B ← y₀ = 4.
@@ -248,8 +250,6 @@ std::vector<Prediction> predictionsAfter(const TracedScene &traced, std::size_t 
                                line.exact, index, isRepeated(numbers, constant, title)});
     }
     addPixelCount(predictions, numbers, trace, span);
-    std::stable_partition(predictions.begin(), predictions.end(),
-                          [](const auto &each) { return !each.isRepeated; });
     return predictions;
 }
 

@@ -37,8 +37,8 @@ bool asksForWhole(const Prediction &prediction);
 
 /// The numbers that the next span after a position (0 … stepCount()) computes by formulas, as that
 /// step's explanation has them, and how many pixels it has. It leaves out what counts the spans and
-/// what is copied from the previous span under another name. What an earlier span shows already
-/// comes last. Empty if no span follows.
+/// what is copied from the previous span under another name. Empty if no span
+/// follows.
 std::vector<Prediction> predictionsAfter(const TracedScene &traced, std::size_t position);
 
 enum class Guess {

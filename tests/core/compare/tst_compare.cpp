@@ -141,8 +141,8 @@ private slots:
         QVERIFY(deviation.isTie);
         QCOMPARE(pixel.opinions[1].words,
                  u"missing: y_B = 1.0000001 instead of 1, 1.2e−07 px too high; "
-                 "float32 could hold the exact bound, but the increments added up to "
-                 "a different one; the sample lies exactly on an edge"_s);
+                 "float32 can represent the exact bound, but the accumulated "
+                 "increments missed it; the sample lies exactly on an edge"_s);
     }
 
     void namesTheTieRuleWhereOnlyTheRulesDiffer()

@@ -195,7 +195,7 @@ private slots:
              {csvOf(report), junitOf(report), gradescopeOf(report), pageOf(report, {})})
             QVERIFY2(table.contains(lost.toUtf8()), table.constData());
         QVERIFY(
-            !sentencesFor(ann, HintLevel::Full).join(u' ').contains(u"as far as a raster tells"_s));
+            !sentencesFor(ann, HintLevel::Full).join(u' ').contains(u"a raster has no colours"_s));
     }
 
     void invariantsNeedAProgram()
@@ -225,7 +225,7 @@ private slots:
         QCOMPARE(ann.points(), 2.5);
         QCOMPARE(ann.pointsOfChecks(), 0.0);
         QCOMPARE(sentencesFor(ann, HintLevel::Class).back(),
-                 u"2.5 points in place of 0: the file was renamed"_s);
+                 u"2.5 points instead of 0: the file was renamed"_s);
         QVERIFY(csvOf(again).contains(",2.5,"));
         QVERIFY(csvOf(again).contains("the file was renamed"));
     }

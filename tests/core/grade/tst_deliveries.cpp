@@ -107,7 +107,8 @@ private slots:
 
         QCOMPARE(delivery.fault, QString());
         QCOMPARE(delivery.note.value_or(QString()),
-                 "final.txt was taken, the only picture; one.png was asked for");
+                 "graded final.txt, the only picture; the assignment asked for "
+                 "one.png");
     }
 
     void severalProgramsAreNotCalledNone()

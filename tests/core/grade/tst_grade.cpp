@@ -398,9 +398,8 @@ private slots:
             const auto *submission = submissionNamed(*report, QLatin1String(name));
             return submission ? sentencesFor(*submission, HintLevel::Class).join(u'\n') : QString();
         };
-        QVERIFY2(
-            sentences("twice").contains(u"%1.png was taken; %1.bmp is there, too"_s.arg(scene)),
-            qPrintable(sentences("twice")));
+        QVERIFY2(sentences("twice").contains(u"graded %1.png; %1.bmp is there, too"_s.arg(scene)),
+                 qPrintable(sentences("twice")));
         QVERIFY2(sentences("linked").contains(u"%1.png is a link"_s.arg(scene)),
                  qPrintable(sentences("linked")));
         QVERIFY2(sentences("piped").contains(u"%1.png is a pipe"_s.arg(scene)),

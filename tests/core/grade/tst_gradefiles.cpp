@@ -145,7 +145,7 @@ private slots:
         scene.counts = {1, 2, 3, 4, 5};
         scene.firstDifference = FramePixel{7, 0};
         scene.run = GradedRun{u"crashed"_s, u"by a signal"_s, {}};
-        scene.note = u"one.png was taken; one.ppm is there, too"_s;
+        scene.note = u"graded one.png; one.ppm is there, too"_s;
         scene.checks = {{Check::Coverage, true, 2.5, 2.5}};
         graded.scenes = {scene};
 

@@ -82,7 +82,7 @@ private slots:
             Effect::Clipping, yes, 1, "1 of 2 triangles has a part beyond the frame");
 
         add("no depths", none, Effect::Depth, no, 0,
-            "all triangles that are drawn in the frame have the same depth");
+            "all triangles drawn in the frame have the same depth");
         add(
             "a segment behind",
             [](Primitives &p) {
@@ -102,7 +102,7 @@ private slots:
             setDepths(p, 1, {4, 4, 4});
         };
         add("behind between the samples", between, Effect::Depth, no, 0,
-            "no two triangles are drawn in the frame");
+            "fewer than two triangles are drawn in the frame");
         add(
             "behind at one of sixteen samples",
             [=](Primitives &p) {
@@ -121,11 +121,11 @@ private slots:
                 p.appearance.antialiasing = Antialiasing::Area;
             },
             Effect::Depth, no, 0,
-            "at the centre of every pixel in which two triangles are both drawn, the later one is "
-            "nearer or as near");
+            "in every pixel where two triangles are drawn, the later one is at least as near at "
+            "the pixel's centre");
         add(
             "one triangle", [](Primitives &p) { p.triangles.pop_back(); }, Effect::Depth, no, 0,
-            "no two triangles are drawn in the frame");
+            "fewer than two triangles are drawn in the frame");
         add(
             "the later one is nearer",
             [](Primitives &p) {
@@ -134,14 +134,15 @@ private slots:
                 setDepths(p, 1, {1, 2, 3});
             },
             Effect::Depth, no, 0,
-            "each triangle that is drawn in the frame is nearer than all before it, or as near");
+            "each triangle drawn in the frame is at least as near as all "
+            "before it");
         add(
             "side by side",
             [](Primitives &p) {
                 setDepths(p, 0, {1, 1, 1});
                 setDepths(p, 1, {2, 2, 2});
             },
-            Effect::Depth, no, 0, "no two triangles that are drawn in the frame overlap");
+            Effect::Depth, no, 0, "the triangles drawn in the frame do not overlap");
         add(
             "tilted, but nearer where they overlap",
             [](Primitives &p) {
@@ -150,7 +151,7 @@ private slots:
                 setDepths(p, 1, {1, 1, 3});
             },
             Effect::Depth, no, 0,
-            "where triangles overlap or touch, the later one is nearer or as near");
+            "where triangles overlap or touch, the later one is at least as near");
         add(
             "the later one is behind",
             [](Primitives &p) {
@@ -171,7 +172,7 @@ private slots:
                 setDepths(p, 1, {1, 2, 2});
             },
             Effect::Depth, no, 0,
-            "at every sample that two triangles cover, the later one is nearer or as near");
+            "at every sample that two triangles cover, the later one is at least as near");
         add(
             "depth off",
             [](Primitives &p) {
@@ -191,8 +192,8 @@ private slots:
         add(
             "w differs alone", [](Primitives &p) { setW(p, 0, 2 * attributeOne); },
             Effect::Perspective, no, 0,
-            "w differs between the vertices of 1 of 2 triangles, but nothing that is divided by it "
-            "does");
+            "w differs between the vertices of 1 of 2 triangles, but nothing that is divided by "
+            "it does");
         add(
             "w and the colours differ",
             [](Primitives &p) {
@@ -327,8 +328,8 @@ private slots:
                 p.appearance.shading = Shading::Gouraud;
             },
             Effect::Light, yes, 1,
-            "1 of 2 triangles has normals, and a light is on (Gouraud shading: at the vertices, in "
-            "set-up)");
+            "1 of 2 triangles has normals, and a light is on (Gouraud shading: at the vertices, "
+            "in set-up)");
 
         add("opaque", none, Effect::Blending, no, 0, "every alpha is 255: opaque");
         add(
@@ -377,8 +378,8 @@ private slots:
             },
             Effect::Blending, yes, 1,
             "1 of 2 triangles has an alpha below 255, the lowest is 128; for a triangle that is a "
-            "segment, only the two ends count; the closed rule gives 3 "
-            "samples on shared edges to both triangles, one of them in pixel (1, 1)");
+            "segment, only the two ends count; the closed rule gives 3 samples on shared edges "
+            "to both triangles, one of them in pixel (1, 1)");
         add(
             "two panes without area on another's edge, of 16 samples a pixel",
             [](Primitives &p) {
@@ -390,9 +391,9 @@ private slots:
                 setAlpha(p, 1, 128);
             },
             Effect::Blending, yes, 2,
-            "2 of 3 triangles have an alpha below 255, the lowest is 128; for a triangle that is a "
-            "segment, only the two ends count; the closed rule gives 3 "
-            "samples on shared edges to both triangles, one of them in pixel (1, 1)");
+            "2 of 3 triangles have an alpha below 255, the lowest is 128; for a triangle that is "
+            "a segment, only the two ends count; the closed rule gives 3 samples on shared "
+            "edges to both triangles, one of them in pixel (1, 1)");
         add(
             "a face that the near plane cuts", [](Primitives &p) { p.cutAtNear = {1}; },
             Effect::Clipping, yes, 1, "1 of 2 triangles is of a face that the near plane cuts");
@@ -407,8 +408,8 @@ private slots:
                 p.appearance.antialiasing = Antialiasing::Samples4;
             },
             Effect::Antialiasing, no, 0,
-            "no edge of a triangle with an area meets a pixel of the frame: each is drawn once, at "
-            "its "
+            "no edge of a triangle with an area meets a pixel of the frame: each pixel is sampled "
+            "once, at its "
             "centre");
         add(
             "areas where no edge is",
@@ -417,7 +418,7 @@ private slots:
                 p.appearance.antialiasing = Antialiasing::Area;
             },
             Effect::Antialiasing, no, 0,
-            "no edge parts a pixel of the frame: each is covered whole or not at all");
+            "no edge crosses a pixel of the frame: each pixel is covered entirely or not at all");
         add("one sample", none, Effect::Antialiasing, no, 0,
             "the scene asks for one sample a pixel");
         add(
@@ -428,7 +429,7 @@ private slots:
         add(
             "exact area", [](Primitives &p) { p.appearance.antialiasing = Antialiasing::Area; },
             Effect::Antialiasing, yes, 2,
-            "the scene asks for the exact area that a triangle has of a pixel");
+            "the scene asks for the exact area of each pixel that a triangle covers");
     }
     void eachVerdictSaysWhy()
     {
@@ -488,9 +489,9 @@ private slots:
             if (rule == FillRule::Closed)
                 QCOMPARE(verdict.verdict, Verdict::CalledFor);
             else
-                QCOMPARE(verdict.reason,
-                         QStringLiteral("where triangles overlap, the later one is nearer or as "
-                                        "near"));
+                QCOMPARE(
+                    verdict.reason,
+                    QStringLiteral("where triangles overlap, the later one is at least as near"));
         }
     }
 
@@ -538,8 +539,8 @@ private slots:
         QCOMPARE(clipping.primitives, std::size_t(1));
         QCOMPARE(clipping.pixels, std::int64_t(32 * 24));
         QCOMPARE(clipping.reason,
-                 QStringLiteral("the circle may go on beyond the frame, as far as bounding "
-                                "boxes tell"));
+                 QStringLiteral("the circle may go on beyond the frame, as far as bounding boxes "
+                                "tell"));
     }
 
     void pointsHaveEachItsOwnColourAndNoneChangesOnTheWay()

@@ -57,8 +57,8 @@ private slots:
         QCOMPARE(verdict.primitives, std::size_t(1));
         QVERIFY(verdict.pixels < 12 * 8);
         QCOMPARE(verdict.reason,
-                 QStringLiteral("the scene asks for the exact area that a line or "
-                                "curve has of a pixel"));
+                 QStringLiteral("the scene asks for the exact area of each pixel that a line or "
+                                "curve covers"));
     }
 
     void whatIsNotDrawnOfLinesRunsNothing_data()

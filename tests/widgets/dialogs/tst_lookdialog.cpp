@@ -42,22 +42,39 @@ private slots:
 
     void theSceneIsShownAsItsFileHasItAndKeptWhereNothingIsChanged()
     {
-        QCOMPARE(value("camera", "eye"), u"[0, 1, 6]"_s);
-        QCOMPARE(value("camera", "near"), u"0.5"_s);
-        QCOMPARE(value("camera", "far"), QString()); // the default, beside it
-        QCOMPARE(cell("camera", "far").siblingAtColumn(SceneLook::Default).data().toString(),
+        QCOMPARE(value("Camera", "eye"), u"0, 1, 6"_s);
+        QCOMPARE(value("Camera", "near"), u"0.5"_s);
+        QCOMPARE(value("Camera", "far"), QString()); // the default, beside it
+        QCOMPARE(cell("Camera", "far").siblingAtColumn(SceneLook::Default).data().toString(),
                  u"100"_s);
         QCOMPARE(value("b", "shininess"), u"7"_s);
-        QCOMPARE(value("[0]", "direction"), u"[0, -1, \"5592405/16777216\"]"_s);
-        QCOMPARE(value("[0]", "color"), u"#ff8000"_s);
+        QCOMPARE(value("Light 1", "direction"), u"0, -1, 5592405/16777216"_s);
+        QCOMPARE(value("Light 1", "color"), u"#ff8000"_s);
         QCOMPARE(value("", "antialiasing"), u"4"_s);
         QVERIFY(m_dialog->look().camera == m_scene.camera);
         QVERIFY(m_dialog->look().appearance == m_scene.appearance);
     }
 
+    void noRowIsNamedByAKeyOfTheFileOrHasItsBrackets()
+    {
+        button("addLight").click();
+        button("addMaterial").click();
+        const QAbstractItemModel &rows = *tree().model();
+        const QModelIndexList all = rows.match(rows.index(0, 0), SceneLook::keyRole, QVariant(), -1,
+                                               Qt::MatchContains | Qt::MatchRecursive);
+        QVERIFY(all.size() > 20);
+        for (const QModelIndex &row : all) {
+            const QString words = row.data().toString();
+            QVERIFY2(words != row.data(SceneLook::keyRole).toString(), qPrintable(words));
+            for (const int column : {SceneLook::Value, SceneLook::Default})
+                QVERIFY2(!row.siblingAtColumn(column).data().toString().contains(u'['),
+                         qPrintable(words));
+        }
+    }
+
     void valuesAreTakenAsOneEditThatIsUndone()
     {
-        set("camera", "near", "0.25");
+        set("Camera", "near", "0.25");
         set("b", "filter", "bilinear");
         set("", "shading", "flat");
         SceneDocument document;
@@ -82,15 +99,15 @@ private slots:
         QTest::addColumn<QString>("key");
         QTest::addColumn<QString>("value");
         QTest::addColumn<QString>("told");
-        QTest::newRow("negative") << "camera"
+        QTest::newRow("negative") << "Camera"
                                   << "near"
                                   << "-1"
                                   << "camera.near";
-        QTest::newRow("a word") << "camera"
+        QTest::newRow("a word") << "Camera"
                                 << "eye"
                                 << "here"
                                 << "camera.eye";
-        QTest::newRow("two numbers") << "camera"
+        QTest::newRow("two numbers") << "Camera"
                                      << "up"
                                      << "[0, 1]"
                                      << "camera.up";
@@ -102,7 +119,7 @@ private slots:
                                            << "texture"
                                            << "none.png"
                                            << "none.png";
-        QTest::newRow("another key") << "camera"
+        QTest::newRow("another key") << "Camera"
                                      << "up"
                                      << "[0, 1, 0], \"near\": [3]"
                                      << "camera.up";
@@ -140,7 +157,7 @@ private slots:
 
         tree().setCurrentIndex(part("b")); // the sphere's
         QVERIFY(!button("removePart").isEnabled());
-        tree().setCurrentIndex(part("[0]"));
+        tree().setCurrentIndex(part("Light 1"));
         button("removePart").click();
         QCOMPARE(m_dialog->look().appearance.lights.size(), std::size_t(1));
         QVERIFY(m_dialog->look().appearance.lights[0].colour != (Colour{{255, 128, 0}}));
@@ -148,7 +165,7 @@ private slots:
 
     void aSceneWithSolidsKeepsItsCamera()
     {
-        QVERIFY(!(part("camera").flags() & Qt::ItemIsUserCheckable));
+        QVERIFY(!(part("Camera").flags() & Qt::ItemIsUserCheckable));
         LookDialog flat(Scene{}, QString());
         QVERIFY(!flat.look().camera);
     }
@@ -176,7 +193,7 @@ private:
             = QLatin1String(partName).isEmpty() ? QModelIndex() : part(partName);
         for (int row = 0; row < tree().model()->rowCount(parent); ++row) {
             const QModelIndex index = tree().model()->index(row, SceneLook::Key, parent);
-            if (index.data().toString() == QLatin1String(key))
+            if (index.data(SceneLook::keyRole).toString() == QLatin1String(key))
                 return index.siblingAtColumn(SceneLook::Value);
         }
         return {};

@@ -37,6 +37,40 @@ private slots:
         }
     }
 
+    void everyHeadOfATableIsBold()
+    {
+        int tables = 0;
+        for (int page = 0; page < m_pages->count(); ++page) {
+            m_pages->setCurrentRow(page);
+            for (QTextFrame *frame : m_text->document()->rootFrame()->childFrames()) {
+                const auto *table = qobject_cast<QTextTable *>(frame);
+                if (!table || m_pages->item(page)->text() == u"Keys and mouse"_s)
+                    continue;
+                ++tables;
+                for (int column = 0; column < table->columns(); ++column) {
+                    const QTextCursor head = table->cellAt(0, column).firstCursorPosition();
+                    QVERIFY2(
+                        head.block().text().isEmpty()
+                            || head.block().begin().fragment().charFormat().fontWeight()
+                                >= QFont::DemiBold,
+                        qPrintable(m_pages->item(page)->text() + u": "_s + head.block().text()));
+                    QCOMPARE(table->cellAt(0, column).lastCursorPosition().block(), head.block());
+                }
+            }
+        }
+        QVERIFY(tables > 0);
+    }
+
+    void noPageNamesATestOfTheSourceTree()
+    {
+        for (int page = 0; page < m_pages->count(); ++page) {
+            m_pages->setCurrentRow(page);
+            if (m_pages->item(page)->text() != u"Proofs"_s)
+                QVERIFY2(!m_text->toPlainText().contains(u"tst_"_s),
+                         qPrintable(m_pages->item(page)->text()));
+        }
+    }
+
     void theFirstPageIsOfTheAssignmentAndEveryPanelIsExplained()
     {
         QVERIFY(m_text->toPlainText().contains(u"⌈y_B⌉"_s));

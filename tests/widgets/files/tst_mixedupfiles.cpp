@@ -48,20 +48,42 @@ private slots:
         QTRY_COMPARE(offered, assignment());
     }
 
-    void aSceneByWhichToGradeIsOfferedToBeOpened()
+    void aSceneByWhichToGradeIsOfferedToBeOpenedOrTheOnlyTask_data()
     {
+        QTest::addColumn<QString>("offer");
+        QTest::newRow("opened") << u"Open the scene"_s;
+        QTest::newRow("the only task") << u"Grade by this scene"_s;
+    }
+    void aSceneByWhichToGradeIsOfferedToBeOpenedOrTheOnlyTask()
+    {
+        QFETCH(QString, offer);
+        const QString submissions = m_settings.folder() + "/submissions";
+        QVERIFY(QDir().mkpath(submissions));
+        QVERIFY(QImage(4, 4, QImage::Format_RGB32).save(submissions + "/ann.png"));
         const auto window = openedWindow();
         action(*window, "gradingDockToggle")->trigger();
         QTimer::singleShot(0, window.get(), [&] {
             auto *dialog = named<GradeDialog>(*window, "gradeDialog");
-            dialog->setPaths(m_settings.folder(), scene(), m_settings.folder() + "/results");
+            dialog->setPaths(submissions, scene(), m_settings.folder() + "/results");
             dialog->accept();
         });
         QTest::mouseClick(named<QAbstractButton>(*window, "gradingGrade"), Qt::LeftButton);
         QTRY_VERIFY(window->findChild<QMessageBox *>(u"sceneMet"_s));
 
-        QTest::mouseClick(named<QMessageBox>(*window, "sceneMet")->defaultButton(), Qt::LeftButton);
-        QTRY_COMPARE(window->parts().files->path(), scene());
+        for (QAbstractButton *button : named<QMessageBox>(*window, "sceneMet")->buttons()) {
+            if (button->text().remove(u'&') == offer)
+                QTest::mouseClick(button, Qt::LeftButton);
+        }
+        if (offer.startsWith(u"Open"_s)) {
+            QTRY_COMPARE(window->parts().files->path(), scene());
+            return;
+        }
+        const QString made = m_settings.folder() + "/results/assignment.json";
+        QTRY_VERIFY_WITH_TIMEOUT(QFile::exists(made), 60000);
+        QTRY_VERIFY(readAssignmentFile(made));
+        const auto assignment = readAssignmentFile(made);
+        QCOMPARE(assignment->points(), 5.0);
+        QVERIFY(assignment->scenes.front().scene == readSceneFile(scene())->scene);
     }
 
 private:

@@ -14,6 +14,7 @@
 #include "widgets/inspect/predictpanel.h"
 #include "widgets/look/messagebar.h"
 #include "widgets/look/signs.h"
+#include "widgets/look/symbolitems.h"
 #include "widgets/model/columntablemodel.h"
 #include "widgets/model/playhead.h"
 #include "widgets/model/scenedocument.h"
@@ -96,6 +97,50 @@ private slots:
             QCOMPARE(times[QString::fromUtf8(rate)], 1);
         for (const char *bound : {"y_B", "y_T", "⌈y_B⌉"})
             QCOMPARE(times[QString::fromUtf8(bound)], int(traced->trace->spanCount()));
+    }
+
+    void numbersAreAskedForInTheOrderOfTheirFormulas()
+    {
+        const auto traced = traceScene(defaultScene());
+        QStringList titles;
+        for (const Prediction &asked : predictionsAfter(*traced, traced->trace->indexOfSpan(20)))
+            titles += asked.title;
+        const QStringList order = {u"y_B"_s, u"y_T"_s, u"R_B"_s, u"G_B"_s,    u"B_B"_s,
+                                   u"R_T"_s, u"ΔR"_s,  u"ΔB"_s,  u"first R"_s};
+        QList<qsizetype> places;
+        for (const QString &title : order)
+            places += titles.indexOf(title);
+        QVERIFY2(places.front() >= 0 && std::ranges::is_sorted(places),
+                 qPrintable(titles.join(u' ')));
+    }
+
+    void whatIsAskedForIsWrittenWithASubscript()
+    {
+        open(u"default.json"_s, u"column-scan"_s);
+        const auto *choice = named<QComboBox>(*m_window, "predictChoice");
+        QVERIFY(choice->findText(u"y_B"_s) >= 0);
+        QVERIFY(qobject_cast<const SymbolBox *>(choice)); // its list draws as it does
+        QVERIFY(qobject_cast<SymbolDelegate *>(choice->itemDelegate()));
+    }
+
+    void theListNamesANumberAsItsQuestionDoes_data()
+    {
+        QTest::addColumn<QString>("method");
+        for (const char *method :
+             {"column-scan", "row-walk", "barycentric-rectangle", "edge-equations-incremental"})
+            QTest::newRow(method) << QString(method);
+    }
+    void theListNamesANumberAsItsQuestionDoes()
+    {
+        QFETCH(QString, method);
+        Scene scene = defaultScene();
+        scene.method = method.toStdString();
+        const auto traced = traceScene(scene);
+        QVERIFY(!predictionsAfter(*traced, 0).empty());
+        for (const Prediction &asked : predictionsAfter(*traced, 0))
+            QVERIFY2(asked.words == asked.title || asked.words.endsWith(u", "_s + asked.title)
+                         || asked.words.startsWith(u"the "_s + asked.title),
+                     qPrintable(asked.title + u": "_s + asked.words));
     }
 
     /// Nor under another name: p_k of a line is p_k₊₁ of the previous step. The student must find

@@ -123,7 +123,7 @@ private slots:
         m_playhead->step(StepUnit::Span, StepDirection::Forward);
         m_playhead->step(StepUnit::Span, StepDirection::Backward);
 
-        QVERIFY(verdict().contains(u"has been shown"_s));
+        QVERIFY(verdict().contains(u"has already been shown"_s));
         type(value());
         QVERIFY(verdict().startsWith(u"Right"_s));
         QCOMPARE(score(), QString());
@@ -141,7 +141,7 @@ private slots:
     void aStepThatWasDoneUnderOtherSettingsIsNotForetold()
     {
         SceneDocument &document = *m_window->parts().document;
-        const auto isSeen = [this] { return verdict().contains(u"has been shown"_s); };
+        const auto isSeen = [this] { return verdict().contains(u"has already been shown"_s); };
         pressKeyOf(u"predictDock"_s);
         m_playhead->seek(m_playhead->end());
         m_playhead->seek(0);

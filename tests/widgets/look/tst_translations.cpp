@@ -7,8 +7,12 @@
 #include "core/lab/study/pareto.h"
 #include "core/layers/layer.h"
 #include "core/methods/method.h"
+#include "core/runs/explain/formulaexplanation.h"
+#include "core/runs/scenerun.h"
+#include "core/runs/tracedscene.h"
 #include "core/scan/choicenames.h"
 #include "core/scene/appearancenames.h"
+#include "core/scene/scenefile.h"
 #include "core/space/surfaces.h"
 #include "tests/support/sourcetree.h"
 #include "tests/support/testprogram.h"
@@ -119,8 +123,7 @@ QString faultOf(const TranslatedText &text, const QString &form)
 QString text(const QString &name) { return name; }
 QString text(std::string_view name) { return nameText(name); }
 
-/// The names in core's lists, except methods, rules and arithmetics, which are in English
-/// everywhere.
+/// The names in core's lists, except those of number formats, such as float32.
 QStringList namesOfCore()
 {
     QStringList names;
@@ -138,6 +141,9 @@ QStringList namesOfCore()
     append(allGradeVerdicts);
     append(allDisagreements);
     append(allOperations);
+    append(allFillRules);
+    append(allByteRoundings);
+    names += text(nameOf(Arithmetic::Exact));
     for (const Method &method : methods())
         names += titleOf(method.family);
     for (const Layer &layer : layers())
@@ -220,6 +226,60 @@ private slots:
         const Translation translation(wanted);
 
         QTEST(translation.language(), "taken");
+    }
+
+    void aWalksStepsAreToldInGermanAsAWhole_data()
+    {
+        QTest::addColumn<QString>("method");
+        QTest::addColumn<int>("rule");
+        for (const char *method : {"column-scan", "row-walk"})
+            for (const FillRule rule : {FillRule::Closed, FillRule::HalfOpenColumn, FillRule::Open})
+                QTest::addRow("%s %s", method, nameOf(rule).data()) << QString(method) << int(rule);
+    }
+    void aWalksStepsAreToldInGermanAsAWhole()
+    {
+        QFETCH(QString, method);
+        QFETCH(int, rule);
+        const Translation german({"de"});
+        for (const char *name : {"default", "ties-at-tenths", "vertical-edges", "shared-edge"}) {
+            Scene scene = readSceneFile(resource(u"/scenes/%1.json"_s.arg(name)))->scene;
+            scene.method = method.toStdString();
+            scene.settings = ScanSettings();
+            scene.settings.fillRule = FillRule(rule);
+            if (!objectionTo(scene).isEmpty())
+                continue;
+            const auto traced = traceScene(scene);
+            for (std::size_t step = 0; step < traced->trace->stepCount(); ++step) {
+                const Explanation told = explainStep(*traced, step);
+                for (const QString &english : {told.sentence, told.event}) {
+                    const QString shown = coreSentences(english);
+                    QVERIFY2(english.isEmpty() || !shown.contains(english), qPrintable(english));
+                }
+            }
+            for (const NumberDescription &number : traced->trace->numbers().span) {
+                const bool isWord = !matchesIn(number.title, "(?<![A-Za-z_])[a-z]{3,}").isEmpty();
+                QVERIFY2(!isWord || coreWord(number.title) != number.title,
+                         qPrintable(number.title));
+            }
+        }
+    }
+
+    void whatHasNoTranslationSaysThatItIsEnglish()
+    {
+        const QString unknown = u"It covers no sample. It is of another kind."_s;
+        QCOMPARE(coreSentences(unknown), unknown);
+        const Translation german({"de"});
+        QCOMPARE(coreSentences(unknown), u"Auf Englisch: "_s + unknown);
+        QCOMPARE(coreSentences(u"Nothing is drawn. "_s + unknown),
+                 u"Auf Englisch: Nothing is drawn. "_s + unknown);
+        QCOMPARE(coreSentences({}), QString());
+    }
+
+    void aMixedNumberIsOneNumber()
+    {
+        const Translation german({"de"});
+        QCOMPARE(coreSentences(u"y_B = 7 53/54 and y_T = −43 31/63 cover the rows 8 to 43."_s),
+                 u"y_B = 7 53/54 und y_T = −43 31/63 bedecken die Zeilen 8 bis 43."_s);
     }
 
     void qtsOwnWordsAreInTheSameLanguage()

@@ -87,7 +87,8 @@ private slots:
         const auto rounded = traceScene(defaultSceneIn(Arithmetic::Fixed16));
         QVERIFY(rounded->differences.total() > 0);
         QCOMPARE(verdictNote(*rounded),
-                 u"When finished: %1 px wrong, truth %2 px"_s.arg(rounded->differences.total())
+                 u"When finished: %1 px wrong; the exact picture has %2 px"_s
+                     .arg(rounded->differences.total())
                      .arg(traceScene(scene)->truePixels));
     }
 
@@ -104,8 +105,9 @@ private slots:
         scene.shapes = {arrow};
 
         const auto refused = traceScene(scene);
-        QCOMPARE(verdictNote(*refused),
-                 u"When finished: %1 px wrong, truth %1 px"_s.arg(refused->truePixels));
+        QCOMPARE(
+            verdictNote(*refused),
+            u"When finished: %1 px wrong; the exact picture has %1 px"_s.arg(refused->truePixels));
         scene.method = "polygon-parity";
         QCOMPARE(verdictNote(*traceScene(scene)), u"When finished: all pixels correct"_s);
     }

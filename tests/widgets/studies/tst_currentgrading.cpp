@@ -28,7 +28,6 @@ private slots:
         QFETCH(bool, isByCause);
         const Classroom classroom;
         const auto window = windowWithGrades(classroom);
-        press(*window, Qt::Key_J);
         QTRY_VERIFY_WITH_TIMEOUT(window->parts().student->judgement(), longestWait);
 
         if (isByCause)
@@ -51,7 +50,6 @@ private slots:
     {
         const Classroom classroom;
         const auto window = windowWithGrades(classroom);
-        press(*window, Qt::Key_J);
         press(*window, Qt::Key_J);
         QTRY_VERIFY_WITH_TIMEOUT(window->parts().student->judgement(), longestWait);
         const auto judged = window->parts().student->judgement();
@@ -90,7 +88,7 @@ private slots:
     {
         const Classroom classroom;
         const auto window = windowWithGrades(classroom);
-        press(*window, Qt::Key_J);
+        press(*window, Qt::Key_K);
         QTRY_VERIFY_WITH_TIMEOUT(window->parts().student->judgement(), longestWait);
 
         window->parts().student->paste(drawn(smallScene()), "pasted");

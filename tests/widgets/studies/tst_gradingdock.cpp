@@ -40,10 +40,8 @@ private slots:
             named<QLineEdit>(*dialog, "gradeAssignment")->setText(classroom.assignmentFile());
             named<QLineEdit>(*dialog, "gradeResults")->setText(classroom.results());
             auto *leeway = named<QComboBox>(*dialog, "gradeLeeway");
-            leeway->setCurrentIndex(leeway->findText("edges"));
-            QVERIFY(leeway->toolTip().contains("every sample on an edge"));
-            for (const auto *field : dialog->findChildren<QLineEdit *>())
-                QVERIFY2(!field->toolTip().isEmpty(), qPrintable(field->objectName()));
+            leeway->setCurrentIndex(leeway->findData(int(Leeway::Edges)));
+            QVERIFY(leeway->toolTip().contains("exactly on an edge"));
             QTest::keyClick(dialog, Qt::Key_Return);
         });
 
@@ -60,6 +58,48 @@ private slots:
         QCOMPARE(cell(*window, 1, GradeColumn::Points), "3 / 5");
         QVERIFY(QFile::exists(classroom.results() + "/results.json"));
         QCOMPARE(book(*window).report().assignment.margin.leeway, Leeway::Edges);
+    }
+
+    void withoutAnAssignmentTheWindowsSceneIsTheOnlyTask()
+    {
+        const Classroom classroom;
+        const auto window = windowWithDock();
+        const Scene scene = window->parts().document->scene();
+        QTimer::singleShot(0, window.get(), [&classroom, &window] {
+            auto *dialog = named<GradeDialog>(*window, "gradeDialog");
+            named<QLineEdit>(*dialog, "gradeSubmissions")->setText(classroom.submissions());
+            named<QLineEdit>(*dialog, "gradeResults")->setText(classroom.results());
+            QTest::keyClick(dialog, Qt::Key_Return); // refused: nothing says what is asked
+            named<QCheckBox>(*dialog, "gradeByScene")->setChecked(true);
+            QTest::keyClick(dialog, Qt::Key_Return);
+        });
+
+        QTest::mouseClick(named<QToolButton>(*window, "gradingGrade"), Qt::LeftButton);
+
+        QTRY_COMPARE_WITH_TIMEOUT(table(*window)->model()->rowCount(), 3, longestWait);
+        const Assignment &assignment = book(*window).report().assignment;
+        QCOMPARE(assignment.scenes.size(), std::size_t(1));
+        QCOMPARE(assignment.scenes[0].name, u"task"_s);
+        QVERIFY(assignment.scenes[0].scene == scene);
+        QCOMPARE(assignment.points(), 5.0);
+        QVERIFY(QFile::exists(classroom.results() + "/assignment.json"));
+    }
+
+    void theDialogSaysWhatItAsksForAndWhereMoreIsTold()
+    {
+        const auto window = windowWithDock();
+        QString page;
+        QTimer::singleShot(0, window.get(), [&window, &page] {
+            auto *dialog = named<GradeDialog>(*window, "gradeDialog");
+            auto *words = named<QLabel>(*dialog, "gradeWords");
+            QVERIFY(words->text().contains("for each student"));
+            emit words->linkActivated(u"assignment-file.md"_s);
+            page = named<QListWidget>(*dialog, "manualPages")->currentItem()->text();
+            named<QDialog>(*dialog, "manual")->reject();
+            dialog->reject();
+        });
+        QTest::mouseClick(named<QToolButton>(*window, "gradingGrade"), Qt::LeftButton);
+        QCOMPARE(page, "Assignments");
     }
 
     void aFolderOfResultsOpensInGradingHoweverItComes_data()
@@ -88,7 +128,6 @@ private slots:
             !named<QDockWidget>(*window, "gradingDock")->visibleRegion().isEmpty(), longestWait);
         QVERIFY(!named<QWidget>(*window, "messageBar")->isVisible());
         QTRY_COMPARE_WITH_TIMEOUT(window->focusWidget(), table(*window), longestWait);
-        QTest::keyClick(window->focusWidget(), Qt::Key_J);
         QTRY_COMPARE_WITH_TIMEOUT(window->parts().student->name(), "ada · small", longestWait);
     }
 
@@ -136,7 +175,6 @@ private slots:
         const auto window = windowWithGrades(classroom);
         QApplication::setPalette(palette);
 
-        press(*window, Qt::Key_J);
         QTRY_COMPARE_WITH_TIMEOUT(window->parts().student->name(), "ada · small", longestWait);
         press(*window, Qt::Key_J);
         QTRY_COMPARE_WITH_TIMEOUT(window->parts().student->name(), "bob · small", longestWait);
@@ -172,7 +210,6 @@ private slots:
         action(*window, "resetLayout")->trigger();
         book(*window).setComment(std::array{std::size_t(0), std::size_t(1)},
                                  "Round where you cut: half a level is lost on every channel.");
-        press(*window, Qt::Key_J);
         QTRY_VERIFY_WITH_TIMEOUT(window->parts().student->judgement(), longestWait);
         press(*window, Qt::Key_J);
         QTRY_COMPARE_WITH_TIMEOUT(window->parts().student->name(), "bob · small", longestWait);
@@ -212,7 +249,7 @@ private slots:
     {
         const Classroom classroom;
         const auto window = windowWithGrades(classroom);
-        press(*window, Qt::Key_Down);
+        press(*window, Qt::Key_Up);
         press(*window, Qt::Key_A);
 
         QCOMPARE(cell(*window, 0, GradeColumn::State), "✓");
@@ -231,7 +268,7 @@ private slots:
         const Classroom classroom;
         const auto window = windowWithGrades(classroom);
         auto *comment = named<QPlainTextEdit>(*window, "gradingComment");
-        press(*window, Qt::Key_J);
+        press(*window, Qt::Key_K);
         press(*window, Qt::Key_C);
         QTRY_VERIFY_WITH_TIMEOUT(comment->hasFocus(), longestWait);
         QTest::keyClicks(comment, "well done");
@@ -255,7 +292,7 @@ private slots:
         const Classroom classroom;
         {
             const auto window = windowWithGrades(classroom);
-            press(*window, Qt::Key_J);
+            press(*window, Qt::Key_K);
             press(*window, Qt::Key_J);
             auto *points = named<QLineEdit>(*window, "gradingPoints");
             auto *reason = named<QLineEdit>(*window, "gradingReason");
@@ -280,7 +317,7 @@ private slots:
         {
             const auto window = windowWithGrades(classroom);
             auto *comment = named<QPlainTextEdit>(*window, "gradingComment");
-            press(*window, Qt::Key_J);
+            press(*window, Qt::Key_K);
             comment->setPlainText("first");
             book(*window).grade(classroom.submissions(), classroom.assignmentFile(),
                                 classroom.results());
@@ -288,7 +325,7 @@ private slots:
             QTRY_VERIFY_WITH_TIMEOUT(!book(*window).job().isRunning(), longestWait);
             QTRY_COMPARE_WITH_TIMEOUT(cell(*window, 0, GradeColumn::Comment), "second",
                                       longestWait);
-            press(*window, Qt::Key_J);
+            press(*window, Qt::Key_K);
             comment->setPlainText("third");
         }
         QCOMPARE(keptReview(classroom, 0).comment, "third");
@@ -312,7 +349,7 @@ private slots:
     {
         const Classroom classroom;
         const auto window = windowWithGrades(classroom);
-        press(*window, Qt::Key_J);
+        press(*window, Qt::Key_K);
         QTRY_VERIFY_WITH_TIMEOUT(window->parts().student->judgement(), longestWait);
 
         emit named<GradingPanel>(*window, "grading")
@@ -348,7 +385,7 @@ private slots:
     {
         const Classroom classroom;
         const auto window = windowWithGrades(classroom);
-        press(*window, Qt::Key_J);
+        press(*window, Qt::Key_K);
         press(*window, Qt::Key_J);
         named<QPlainTextEdit>(*window, "gradingComment")->setPlainText("round, do not cut");
 

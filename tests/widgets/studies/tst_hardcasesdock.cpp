@@ -120,8 +120,10 @@ private slots:
         QCOMPARE(missing(1), 64);
         QCOMPARE(missing(2), 127);
         m_playhead->pick({20, 2}); // the third click, on a pixel that both lose
-        const QString reason = named<QLabel>(*compare, "compareReason")->text();
-        QVERIFY2(reason.contains(u"y_B = 2.0000000000000004 instead of 2"_s), qPrintable(reason));
+        const QString html = named<QLabel>(*compare, "compareReason")->text();
+        QVERIFY2(html.contains(u"y<sub>B</sub>"_s), qPrintable(html)); // as everywhere else
+        const QString reason = QTextDocumentFragment::fromHtml(html).toPlainText();
+        QVERIFY2(reason.contains(u"yB = 2.0000000000000004 instead of 2"_s), qPrintable(reason));
     }
 
     void putsEveryMethodToTheTestOneByOne()

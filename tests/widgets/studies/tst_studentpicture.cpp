@@ -125,18 +125,18 @@ private slots:
         QApplication::clipboard()->setImage(drawn(open));
         action(*window, "pasteStudentPicture")->trigger();
         QTRY_VERIFY(judgement(*window));
-        const auto wrongUnder = [&](const char *leeway) {
+        const auto wrongUnder = [&](Leeway leeway) {
             auto *box = named<QComboBox>(*window, "submissionLeeway");
-            box->setCurrentIndex(box->findText(leeway));
+            box->setCurrentIndex(box->findData(int(leeway)));
             emit box->activated(box->currentIndex());
             QTest::qWait(0);
             return judgement(*window)->diff.differing();
         };
-        QVERIFY(wrongUnder("strict") > 0);
-        QCOMPARE(wrongUnder("edges"), 0);
-        QVERIFY(text(*window, "submissionVerdict").contains("Undecidable"));
-        QCOMPARE(wrongUnder("once"), 0);
-        QVERIFY(wrongUnder("strict") > 0);
+        QVERIFY(wrongUnder(Leeway::Strict) > 0);
+        QCOMPARE(wrongUnder(Leeway::Edges), 0);
+        QVERIFY(text(*window, "submissionVerdict").startsWith("Right by another fill rule"));
+        QCOMPARE(wrongUnder(Leeway::Once), 0);
+        QVERIFY(wrongUnder(Leeway::Strict) > 0);
     }
 
     void aDroppedPictureIsMarkedOnTheCanvas_data() { addPalettes(); }

@@ -17,7 +17,7 @@ PrecisionPanel::PrecisionPanel(Playhead *playhead, QWidget *parent)
 {
     m_bound = named(new QComboBox(this), "precisionBound", tr("Bound"),
                     tr("Which bound's error is plotted"));
-    m_bound->addItems({tr("lower bound y_B"), tr("upper bound y_T")});
+    m_bound->addItems({tr("lower bound"), tr("upper bound")});
     auto *controls = withParts(new QHBoxLayout, {m_bound}, 8);
     for (const Arithmetic arithmetic : allArithmetics) {
         if (arithmetic == Arithmetic::Exact)
@@ -36,9 +36,10 @@ PrecisionPanel::PrecisionPanel(Playhead *playhead, QWidget *parent)
     }
     controls->addStretch();
     m_plot = new PrecisionPlot(this);
-    m_plot->setToolTip(tr("Dotted: what rounding may add up to, n·ulp/2 in floating point, n·2⁻¹⁷ "
-                          "in 16.16, n·2⁻³³ in 32.32 after n additions. ≠: the first column that "
-                          "covers other samples than it should. A click goes there."));
+    m_plot->setToolTip(tr("Dotted: the largest error that rounding can add up to after n "
+                          "additions: n·ulp/2 in floating point, n·2⁻¹⁷ in 16.16, n·2⁻³³ "
+                          "in 32.32. ≠: the first column that covers the wrong samples. A "
+                          "click goes there."));
     m_summary = readingLabel("precisionSummary", {}, this);
     withParts(new QVBoxLayout(this), {controls, {m_plot, 1}, m_summary}, 8, 8);
 
@@ -107,8 +108,9 @@ QString PrecisionPanel::summary() const
         const TracedScene *traced = m_playhead->traced();
         if (!traced)
             return tr("The scene is being drawn.");
-        return tr("The method “%1” has no bounds that could be off here: it tests every sample, "
-                  "computes in exact arithmetic alone, or draws no triangle of this scene.")
+        return tr("The method “%1” has no bounds that could be wrong here: it "
+                  "tests every sample, or computes only in exact arithmetic, or "
+                  "draws no triangle of this scene.")
             .arg(methodTitle(*traced->method));
     }
     QStringList parts;

@@ -2,7 +2,9 @@
 #include "widgets/studies/cases/hardcasesdetails.h"
 
 #include "core/compare/contest.h"
+#include "widgets/look/corewords.h"
 #include "widgets/look/parts.h"
+#include "widgets/look/typesetting.h"
 #include "widgets/studies/cases/hardcasespicture.h"
 
 #include <algorithm>
@@ -122,14 +124,13 @@ void HardCasesDetails::show(const GalleryCase &chosen, const Method &method,
     m_settings = settings;
     m_shown = picture ? *picture : HardCasePicture();
     tell(chosen.hardCase.id);
-    QStringList words = {tr("<b>Stresses:</b> %1.").arg(chosen.hardCase.stresses.toHtmlEscaped()),
-                         tr("<b>Why:</b> %1").arg(chosen.why.toHtmlEscaped())};
+    QStringList words = {u"<b>What is hard:</b> %1."_s.arg(typesetHtml(chosen.hardCase.stresses)),
+                         u"<b>Why:</b> %1"_s.arg(typesetHtml(chosen.why))};
     if (!chosen.failsIn.isEmpty())
-        words.append(
-            tr("<b>Seen to fail:</b> %1.").arg(chosen.failsIn.join(u"; "_s).toHtmlEscaped()));
+        words.append(u"<b>Seen to fail:</b> %1."_s.arg(typesetHtml(chosen.failsIn.join(u"; "_s))));
     if (!chosen.note.isEmpty())
-        words.append(tr("<b>Note:</b> %1.").arg(chosen.note.toHtmlEscaped()));
-    m_words->setText(u"<p>"_s + words.join(u"</p><p>"_s) + u"</p>"_s);
+        words.append(u"<b>Note:</b> %1."_s.arg(typesetHtml(chosen.note)));
+    m_words->setText(inEnglish(u"<p>"_s + words.join(u"</p><p>"_s) + u"</p>"_s));
     showPicture();
     if (isOther) {
         m_isCancelled = false;

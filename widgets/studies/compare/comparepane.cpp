@@ -136,7 +136,7 @@ void ComparePane::offerSettings(const ScanSettings &wanted)
     const auto offer = [](QComboBox *box, const auto &choices, auto current) {
         box->clear();
         for (const auto choice : choices)
-            box->addItem(QString::fromUtf8(nameOf(choice)), int(choice));
+            box->addItem(coreWord(nameOf(choice)), int(choice));
         box->setCurrentIndex(std::max(0, box->findData(int(current))));
         box->setEnabled(choices.size() > 1);
     };

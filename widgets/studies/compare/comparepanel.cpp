@@ -5,6 +5,7 @@
 #include "core/runs/scenerun.h"
 #include "widgets/look/labels.h"
 #include "widgets/look/parts.h"
+#include "widgets/look/typesetting.h"
 #include "widgets/model/playhead.h"
 #include "widgets/model/runnotes.h"
 #include "widgets/studies/compare/comparelink.h"
@@ -257,8 +258,9 @@ void ComparePanel::tellPixel()
     if (!m_contest)
         return;
     const QString carried = carriedText(*m_contest);
-    m_reason->setText(pixelText(*m_contest, m_playhead->pickedPixel())
-                      + (carried.isEmpty() ? QString() : u'\n' + carried));
+    const QString text = pixelText(*m_contest, m_playhead->pickedPixel())
+        + (carried.isEmpty() ? QString() : u'\n' + carried);
+    m_reason->setText(u"<qt>%1</qt>"_s.arg(typesetHtml(text).replace(u'\n', u"<br>"_s)));
 }
 
 } // namespace pixelplumb

@@ -121,7 +121,7 @@ QString pixelText(const Contest &contest, const std::optional<QPoint> &picked)
                              .arg(picked->y())
                              .arg(pixel.agreeing)
                              .arg(all)
-                             .arg(coreWord(nameOf(pixel.reason)), textOf(pixel.reason))};
+                             .arg(coreWord(nameOf(pixel.reason)), coreWord(textOf(pixel.reason)))};
     QStringList right;
     for (std::size_t i = 0; i < pixel.opinions.size(); ++i) {
         const PixelOpinion &opinion = pixel.opinions[i];
@@ -131,7 +131,7 @@ QString pixelText(const Contest &contest, const std::optional<QPoint> &picked)
         if (opinion.words.isEmpty())
             right.append(text);
         else
-            lines.append(text + u", "_s + opinion.words);
+            lines.append(text + u", "_s + inEnglish(opinion.words));
     }
     if (!right.isEmpty())
         lines.append(right.join(u";  "_s));

@@ -99,8 +99,8 @@ std::vector<RowsColumn<Effect>> EffectsPanel::columns() const
          Qt::AlignLeft,
          [](Effect, int role) {
              return role == Qt::ToolTipRole
-                 ? QVariant(tr("The frame's border bounds every loop, at no cost; what lies before "
-                               "the near plane has no place in the frame"))
+                 ? QVariant(tr("The frame's border limits every loop, at no cost; what lies in "
+                               "front of the near plane cannot be drawn"))
                  : QVariant();
          }},
         {tr("primitives"), {}, told([](const EffectVerdict &verdict) {
@@ -110,13 +110,15 @@ std::vector<RowsColumn<Effect>> EffectsPanel::columns() const
              return QString::number(verdict.pixels);
          })},
         {tr("ns a pixel"),
-         tr("How much longer drawing takes with it than without it, for each pixel written"),
+         tr("How much longer drawing takes with the effect than without it, "
+            "for each pixel written"),
          timed([](const EffectTiming &timing, const EffectCost &cost) {
              return QString::number(timing.perPixel(cost), 'f', 2);
          })},
         {tr("operations a pixel"),
-         tr("With it on, for each pixel written: depths read and written, divisions by "
-            "1/w, texels read, normals made unit length, blends, samples"),
+         tr("With the effect on, for each pixel written: depths read and "
+            "written, divisions by 1/w, texels read, normals made unit "
+            "length, blends, samples"),
          timed([](const EffectTiming &timing, const EffectCost &cost) {
              const std::optional<double> each = timing.operationsPerPixel(cost);
              return each ? QString::number(*each, 'f', 2) : QString();
@@ -235,8 +237,8 @@ void EffectsPanel::cancel() { m_measureJob.cancel(); }
 QBoxLayout *EffectsPanel::controls()
 {
     m_measure = named(new QPushButton(tr("Measure"), this), "effectsMeasure", {},
-                      tr("Draw the scene again and again with each effect on and off, all "
-                         "others as called for, by the plain kernels"));
+                      tr("Draw the scene repeatedly with each effect on and off, while "
+                         "all other effects are as called for; by the plain kernels"));
     auto *progress
         = new JobBar(m_measureJob, u"effects"_s, tr("Progress of the measurement"), 64, this);
     auto *row = withParts(new QHBoxLayout, {m_measure, progress}, 8);
@@ -255,8 +257,9 @@ void EffectsPanel::addSamples(QBoxLayout *row)
 {
     m_samples
         = named(new QComboBox(this), "effectsSamples", tr("Antialiasing that the scene asks for"),
-                tr("Antialiasing that the scene asks for: samples of a pixel, or the "
-                   "exact area; only pixels that an edge passes have more than one"));
+                tr("The antialiasing that the scene asks for: samples per pixel, or "
+                   "the exact area. Only pixels that an edge crosses have more than "
+                   "one sample"));
     for (const Antialiasing each : {Antialiasing::None, Antialiasing::Samples4,
                                     Antialiasing::Samples16, Antialiasing::Area}) {
         const QString samples = QString::fromUtf8(nameOf(each));

@@ -29,9 +29,10 @@ OperationPanel::OperationPanel(Playhead *playhead, QWidget *parent)
     auto *table = new QTableView(this);
     table->setModel(m_rows);
     named(table, "operationTable", tr("Operations by kind"),
-          tr("What the method's numbers do, counted while they draw this scene: on "
-             "the average of a set-up, a span and a sample, and all together. Whole "
-             "pixel coordinates and the clamp to a byte are not counted."));
+          tr("The arithmetic operations of the method, counted while it draws "
+             "this scene: on average for each set-up, span and sample, and in "
+             "total. Whole pixel coordinates and the clamp to a byte are not "
+             "counted."));
     readByRows(table);
     table->horizontalHeader()->setSectionResizeMode(QHeaderView::Stretch);
     withParts(new QVBoxLayout(this), {m_summary, {table, 1}}, 8, 8);

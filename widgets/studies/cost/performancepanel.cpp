@@ -136,8 +136,8 @@ PerformancePanel::PerformancePanel(Playhead *playhead, QWidget *parent)
 QBoxLayout *PerformancePanel::controls()
 {
     m_measure = named(new QPushButton(tr("Measure"), this), "performanceMeasure", {},
-                      tr("Draw the scene again and again by the plain and the fast kernels in "
-                         "turn, beside memset"));
+                      tr("Draw the scene repeatedly by the plain and the fast kernels in "
+                         "turn, and time memset beside them"));
     auto *progress
         = new JobBar(m_job, u"performance"_s, tr("Progress of the measurement"), 160, this);
     auto *row = withParts(new QHBoxLayout, {m_measure, progress, Room()}, 8);
@@ -153,8 +153,8 @@ QWidget *PerformancePanel::contents()
     m_summary = textLabel("performanceSummary", contents);
     m_times = textLabel("performanceTimes", contents);
     m_times->setAccessibleName(tr("Times"));
-    m_times->setToolTip(tr("speed: times that of the plain kernel; of memory: how near the time is "
-                           "to that of memset over as many pixels"));
+    m_times->setToolTip(tr("speed: relative to the plain kernel; of memory: how close the "
+                           "time is to memset over as many pixels"));
     m_routes = textLabel("performanceRoutes", contents);
     m_routes->setAccessibleName(tr("Fast kernels used"));
     auto *layout = withParts(
@@ -195,7 +195,7 @@ void PerformancePanel::forget()
     m_timing.reset();
     present();
     tell(m_playhead->traced()
-             ? tr("Press Measure to draw this scene again and again for about a second.")
+             ? tr("Press Measure to draw this scene repeatedly for about a second.")
              : tr("The scene is being drawn."));
 }
 

@@ -3,8 +3,10 @@
 
 #include "core/grade/diagnose/undecidable.h"
 #include "core/number/failure.h"
+#include "widgets/look/corewords.h"
 #include "widgets/look/labels.h"
 #include "widgets/look/parts.h"
+#include "widgets/look/typesetting.h"
 #include "widgets/model/studentpicture.h"
 #include "widgets/studies/studypanel.h"
 
@@ -30,13 +32,14 @@ void DiagnosisView::addControls(QBoxLayout *layout)
 {
     m_start
         = pushButton("nameTheBug", tr("Name the &bug"),
-                     tr("Find the known defects, one or two, that draw this very picture"), this);
+                     tr("Find the one or two known defects that draw exactly this picture"), this);
     auto *progress
         = new JobBar(m_job, u"diagnosis"_s, tr("Sets of defects that are tried"), 0, this);
     m_audience = new ElidingBox(this);
     m_audience->setMinimumContentsLength(5);
     named(m_audience, "diagnosisAudience", tr("Whose words"),
-          tr("For whom. Student: where to look. Assistant: what was done."));
+          tr("Who reads it. Student: where to look. Assistant: what the "
+             "program does."));
     m_audience->addItem(tr("student"));
     m_audience->addItem(tr("assistant"));
     auto *row = withParts(new QHBoxLayout, {m_start, {progress, 1}, m_audience, Room()}, 4);
@@ -56,12 +59,13 @@ void DiagnosisView::addResults(QBoxLayout *layout)
     m_candidates->setSizeAdjustPolicy(QAbstractScrollArea::AdjustToContents);
     layout->addWidget(m_candidates, 1);
     m_sentence = readingLabel("diagnosisSentence", tr("What the chosen defects are"), this);
+    m_sentence->setTextFormat(Qt::RichText);
     layout->addWidget(m_sentence);
-    m_open = pushButton(
-        "diagnosisOpen", tr("Open in the stepper"),
-        tr("Run the scene with these defects and go to the first step that differs from the right "
-           "run; if no run can have them, show the right run at that step"),
-        this);
+    m_open = pushButton("diagnosisOpen", tr("Open in the stepper"),
+                        tr("Run the scene with these defects and go to the first step that "
+                           "differs from the right run. If no run can have these defects, "
+                           "show that step of the right run"),
+                        this);
     m_compare = pushButton("diagnosisCompare", tr("Compare"),
                            tr("The same, with the right run beside it in Compare"), this);
     m_leave
@@ -198,13 +202,16 @@ void DiagnosisView::showChosen()
         const DiagnosisCandidate &candidate = m_named->diagnosis.candidates[std::size_t(row)];
         if (audience() == Audience::Assistant)
             text = sentencesText(candidate, &Defect::forAssistant);
-        if (const auto &step = m_named->steps[std::size_t(row)])
+        if (const auto &step = m_named->steps[std::size_t(row)]) {
+            QString place = step->heading; // within a sentence: "column 5, first half"
+            place.replace(0, 1, place.left(1).toLower());
             text += (text.isEmpty() ? QString() : u"\n"_s)
                 + tr("First wrong number: step %1, %2: %3.")
                       .arg(step->step + 1)
-                      .arg(step->heading.left(1).toLower() + step->heading.sliced(1), step->text);
+                      .arg(coreWord(place), step->text);
+        }
     }
-    m_sentence->setText(text);
+    m_sentence->setText(typesetHtml(text).replace(u'\n', u"<br>"_s));
     m_sentence->setVisible(!text.isEmpty());
     updateButtons();
 }
@@ -237,12 +244,12 @@ DefectOpening DiagnosisView::opening() const
 QString diagnosisText(const Diagnosis &diagnosis)
 {
     if (diagnosis.verdict == DiagnosisVerdict::Right)
-        return DiagnosisView::tr("Right: no pixel differs, there is no bug to name.");
+        return DiagnosisView::tr("Right: no pixel differs, so there is no bug to name.");
     const QString verdict = diagnosis.verdict == DiagnosisVerdict::Wrong
         ? DiagnosisView::tr("Wrong.")
         : DiagnosisView::tr(
-            "Undecidable: what differs lies on an edge, where fill rules differ, or within the "
-            "rounding error of float32.");
+            "Right by another fill rule or within rounding: every pixel that differs lies on an "
+            "edge, where fill rules differ, or within float32 rounding error.");
     if (diagnosis.failure)
         return verdict + u' '
             + DiagnosisView::tr("The search for defects ended in an error: %1.")
@@ -262,8 +269,9 @@ QString diagnosisText(const Diagnosis &diagnosis)
             + DiagnosisView::tr("No known bug explains it; the nearest ones:");
     return verdict + u' '
         + (diagnosis.candidates.front().undecidable > 0
-               ? DiagnosisView::tr(
-                   "Known bugs produce this picture, except for pixels that may be either way:")
+               ? DiagnosisView::tr("Known bugs produce this picture, except for pixels that "
+                                   "rounding or an edge may "
+                                   "decide:")
                : DiagnosisView::tr("%n sets of known bugs produce this picture:", nullptr,
                                    int(diagnosis.candidates.size())));
 }
@@ -283,9 +291,9 @@ QString distanceText(const DiagnosisCandidate &candidate)
     if (candidate.distance == 0 && candidate.undecidable == 0)
         return {};
     if (candidate.distance == 0)
-        return DiagnosisView::tr(" · but for %n pixels that rounding or an edge may decide",
+        return DiagnosisView::tr(" · except for %n pixels that rounding or an edge may decide",
                                  nullptr, int(candidate.undecidable));
-    return DiagnosisView::tr(" · %n pixels are left", nullptr, int(candidate.distance));
+    return DiagnosisView::tr(" · %n pixels remain unexplained", nullptr, int(candidate.distance));
 }
 
 } // namespace pixelplumb

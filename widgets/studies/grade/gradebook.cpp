@@ -16,6 +16,11 @@ namespace {
 /// None where grading was cancelled, or memory ran out.
 using Grading = std::optional<Result<std::optional<GradeReport>>>;
 
+GradingOrder orderOf(const QString &submissions, const QString &results)
+{
+    return {submissions, results, QCoreApplication::applicationVersion(), threadsOfMachine()};
+}
+
 } // namespace
 
 Gradebook::Gradebook(QObject *parent)
@@ -50,18 +55,30 @@ void Gradebook::open(const QString &results)
 void Gradebook::grade(const QString &submissions, const QString &assignmentFile,
                       const QString &results, std::optional<Leeway> leeway)
 {
-    const GradingOrder order{submissions, results, QCoreApplication::applicationVersion(),
-                             threadsOfMachine()};
+    grade(orderOf(submissions, results), leeway,
+          [assignmentFile] { return readAssignmentFile(assignmentFile); });
+}
+
+void Gradebook::gradeByScene(const QString &submissions, const Scene &scene, const QString &name,
+                             const QString &results, std::optional<Leeway> leeway)
+{
+    grade(orderOf(submissions, results), leeway,
+          [scene, name] { return assignmentOf(scene, name); });
+}
+
+void Gradebook::grade(const GradingOrder &order, std::optional<Leeway> leeway,
+                      const std::function<Result<Assignment>()> &readAssignment)
+{
     m_job.setTitle(tr("Grading"));
     m_job.start(
-        [order, assignmentFile, leeway](const ProgressListener &listener) -> Grading {
-            Result<Assignment> assignment = readAssignmentFile(assignmentFile);
+        [order, readAssignment, leeway](const ProgressListener &listener) -> Grading {
+            Result<Assignment> assignment = readAssignment();
             if (!assignment)
                 return assignment.error();
             assignment->margin.leeway = leeway.value_or(assignment->margin.leeway);
             return gradeFolder(order, *assignment, listener);
         },
-        [this, results](const Grading &grading) {
+        [this, results = order.results](const Grading &grading) {
             if (!grading)
                 emit complaint(tr("The grading does not fit into memory."));
             else if (!*grading)
@@ -69,8 +86,8 @@ void Gradebook::grade(const QString &submissions, const QString &assignmentFile,
             else if (**grading)
                 take(results, ***grading);
             else
-                emit notice(tr("Other runs are still grading into %1; the last one writes the "
-                               "reports.")
+                emit notice(tr("Other runs are still grading into %1; the last one to finish "
+                               "writes the reports.")
                                 .arg(results));
         });
 }
@@ -97,7 +114,8 @@ void Gradebook::cancel()
     if (!m_job.isRunning())
         return;
     m_job.cancel();
-    emit notice(tr("Cancelled; what is graded stays, and grading goes on from there."));
+    emit notice(tr("Cancelled. What is graded stays, and the next run continues "
+                   "from there."));
 }
 
 void Gradebook::setComment(std::span<const std::size_t> submissions, const QString &comment)

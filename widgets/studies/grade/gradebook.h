@@ -6,6 +6,7 @@
 
 #include <QtCore>
 
+#include <functional>
 #include <span>
 
 namespace pixelplumb {
@@ -32,6 +33,9 @@ public slots:
     /// place of the assignment's.
     void grade(const QString &submissions, const QString &assignmentFile, const QString &results,
                std::optional<pixelplumb::Leeway> leeway = {});
+    /// Likewise by an assignment of this scene alone, which has that name.
+    void gradeByScene(const QString &submissions, const Scene &scene, const QString &name,
+                      const QString &results, std::optional<pixelplumb::Leeway> leeway);
     void writeReports(); ///< for Gradescope and others, with the comments
     void cancel();
     void setComment(std::span<const std::size_t> submissions, const QString &comment);
@@ -48,6 +52,8 @@ signals:
     void notice(const QString &text);
 
 private:
+    void grade(const GradingOrder &order, std::optional<Leeway> leeway,
+               const std::function<Result<Assignment>()> &readAssignment);
     void take(const QString &results, GradeReport report);
     void saveReviews();
 

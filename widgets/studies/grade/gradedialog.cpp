@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/studies/grade/gradedialog.h"
 
+#include "widgets/dialogs/manual.h"
 #include "widgets/look/parts.h"
 #include "widgets/studies/grade/leewaybox.h"
 
@@ -14,21 +15,24 @@ GradeDialog::GradeDialog(QWidget *parent)
     setObjectName(u"gradeDialog"_s);
     setWindowTitle(tr("Grade a Folder"));
     auto *layout = withParts(new QVBoxLayout(this), {}, 16, 16);
+    addWords(layout);
     auto *form = new QFormLayout;
     form->setFieldGrowthPolicy(QFormLayout::ExpandingFieldsGrow);
-    m_submissions = addPath(form, "gradeSubmissions", tr("&Submissions folder"),
-                            tr("A folder with one file or folder for each student"));
-    m_assignment = addPath(form, "gradeAssignment", tr("&Assignment file"),
-                           tr("A JSON file that names the scenes to be drawn, and the points of "
-                              "each (Help ▸ Manual ▸ Assignments)"));
-    m_results = addPath(form, "gradeResults", tr("&Results folder"),
-                        tr("A new folder, or one of an earlier grading, which goes on there"));
+    m_submissions = addPath(form, "gradeSubmissions", tr("&Submissions folder"));
+    m_assignment = addPath(form, "gradeAssignment", tr("&Assignment file"));
+    m_byScene = explained(
+        new QCheckBox(tr("&Grade by the window's scene: one task, 5 points"), this), "gradeByScene",
+        tr("Each student has drawn the scene that is open now; there is no "
+           "assignment file"));
+    form->addRow({}, m_byScene);
+    connect(m_byScene, &QCheckBox::toggled, this, &GradeDialog::updateOk);
+    m_results = addPath(form, "gradeResults", tr("&Results folder"));
     m_leeway = new LeewayBox("gradeLeeway", this);
     m_leeway->offerNone(tr("as the assignment says"));
     form->addRow(tr("&Leeway"), m_leeway);
     layout->addLayout(form);
     m_buttons = new QDialogButtonBox(QDialogButtonBox::Ok | QDialogButtonBox::Cancel, this);
-    m_buttons->button(QDialogButtonBox::Ok)->setText(tr("&Grade"));
+    m_buttons->button(QDialogButtonBox::Ok)->setText(tr("Grad&e"));
     layout->addWidget(m_buttons);
     connect(m_buttons, &QDialogButtonBox::accepted, this, &QDialog::accept);
     connect(m_buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
@@ -36,8 +40,26 @@ GradeDialog::GradeDialog(QWidget *parent)
     resize(560, sizeHint().height());
 }
 
-QLineEdit *GradeDialog::addPath(QFormLayout *form, const char *name, const QString &label,
-                                const QString &inWords)
+/// What is asked for, and where the manual tells more of it.
+void GradeDialog::addWords(QBoxLayout *layout)
+{
+    auto *words = readingLabel("gradeWords", tr("What is graded by what"), this);
+    words->setTextFormat(Qt::RichText);
+    words->setTextInteractionFlags(Qt::TextBrowserInteraction);
+    words->setText(
+        tr("<p>The submissions folder holds one picture, or one folder, for each student.</p>"
+           "<p>An assignment is a JSON file that names the scenes to be drawn and their points "
+           "(<a href=\"assignment-file.md\">how to write one</a>).</p>"));
+    layout->addWidget(words);
+    connect(words, &QLabel::linkActivated, this, [this](const QString &document) {
+        auto *manual = new Manual(manualPages({}), this);
+        manual->setAttribute(Qt::WA_DeleteOnClose);
+        manual->follow(document);
+        manual->open();
+    });
+}
+
+QLineEdit *GradeDialog::addPath(QFormLayout *form, const char *name, const QString &label)
 {
     auto *edit = named(new QLineEdit(this), name, {}, inWords);
     auto *browse = new QPushButton(tr("Choose…"), this);
@@ -62,6 +84,8 @@ QString GradeDialog::submissions() const { return m_submissions->text(); }
 
 QString GradeDialog::assignment() const { return m_assignment->text(); }
 
+bool GradeDialog::isByScene() const { return m_byScene->isChecked(); }
+
 QString GradeDialog::results() const { return m_results->text(); }
 
 std::optional<Leeway> GradeDialog::leeway() const { return m_leeway->leeway(); }
@@ -76,10 +100,12 @@ void GradeDialog::setPaths(const QString &submissions, const QString &assignment
 
 void GradeDialog::updateOk()
 {
-    const bool isWhole
-        = m_buttons && !submissions().isEmpty() && !assignment().isEmpty() && !results().isEmpty();
-    if (m_buttons)
-        m_buttons->button(QDialogButtonBox::Ok)->setEnabled(isWhole);
+    if (!m_buttons)
+        return; // it is being built
+    m_assignment->setEnabled(!isByScene());
+    m_buttons->button(QDialogButtonBox::Ok)
+        ->setEnabled(!submissions().isEmpty() && !results().isEmpty()
+                     && (isByScene() || !assignment().isEmpty()));
 }
 
 } // namespace pixelplumb

@@ -20,6 +20,8 @@ public:
 
     QString submissions() const;
     QString assignment() const;
+    /// Whether the window's scene takes the place of an assignment.
+    bool isByScene() const;
     QString results() const;
     /// In place of the assignment's; none: the assignment's.
     std::optional<Leeway> leeway() const;
@@ -27,13 +29,14 @@ public:
     void setPaths(const QString &submissions, const QString &assignment, const QString &results);
 
 private:
-    QLineEdit *addPath(QFormLayout *form, const char *name, const QString &label,
-                       const QString &inWords);
+    QLineEdit *addPath(QFormLayout *form, const char *name, const QString &label);
+    void addWords(QBoxLayout *layout);
     void updateOk();
 
     QLineEdit *m_submissions = nullptr;
     QLineEdit *m_assignment = nullptr;
     QLineEdit *m_results = nullptr;
+    QCheckBox *m_byScene = nullptr;
     LeewayBox *m_leeway = nullptr;
     QDialogButtonBox *m_buttons = nullptr;
 };

@@ -49,12 +49,13 @@ GradeReviewPane::GradeReviewPane(Gradebook *book, QWidget *parent)
     m_forCluster = namedButton("gradingCommentCluster", tr("Copy to all with this bug"),
                                tr("Give every submission of the same cause this comment"), this);
     m_points = named(new QLineEdit(this), "gradingPoints",
-                     tr("Points in place of those of the checks; leave it empty for theirs"));
+                     tr("Points that replace those of the checks; leave it empty to keep "
+                        "theirs"));
     m_points->setMaximumWidth(fontMetrics().horizontalAdvance(u"0000.00"_s) + 16);
     m_points->setValidator(new QDoubleValidator(0, largestPoints, 2, m_points));
-    m_reason = named(
-        new QLineEdit(this), "gradingReason",
-        tr("Your reason for other points, for the student; without one they do not change"));
+    m_reason = named(new QLineEdit(this), "gradingReason",
+                     tr("Your reason for changing the points, for the student; without a "
+                        "reason they do not change"));
     m_reason->setPlaceholderText(tr("why other points"));
     for (QLineEdit *each : {m_points, m_reason}) {
         each->installEventFilter(this);

@@ -21,6 +21,21 @@ constexpr int clusterRole = Qt::UserRole + 1; ///< index of the cluster, in the 
 constexpr int leastForComments = 120; ///< below this, comments are not worth a column
 constexpr int leastForVerdicts = 400; ///< table width below which verdicts are elided
 
+/// An undecidable picture has full points, so the window calls it right.
+QString shownVerdict(const GradedSubmission &submission)
+{
+    return coreWord(verdictText(submission)
+                        .replace(nameOf(GradeVerdict::Undecidable), u"right within leeway"_s));
+}
+
+QString verdictToolTip(const GradedSubmission &submission)
+{
+    if (submission.verdict != GradeVerdict::Undecidable)
+        return {};
+    return GradeTable::tr("Right by another fill rule or within rounding: every pixel that differs "
+                          "is one that the leeway leaves open.");
+}
+
 } // namespace
 
 GradeRows *gradeRows(const Gradebook *book, QObject *parent)
@@ -47,8 +62,11 @@ GradeRows *gradeRows(const Gradebook *book, QObject *parent)
                  return role == GradeRows::SortRole ? QVariant(at(row).points()) : QVariant();
              }),
          Column(
-             GradeTable::tr("verdict"), {},
-             [at](std::size_t row) { return coreWord(verdictText(at(row))); }, Qt::AlignLeft),
+             GradeTable::tr("verdict"), {}, [at](std::size_t row) { return shownVerdict(at(row)); },
+             Qt::AlignLeft,
+             [at](std::size_t row, int role) {
+                 return role == Qt::ToolTipRole ? QVariant(verdictToolTip(at(row))) : QVariant();
+             }),
          Column(
              GradeTable::tr("defects"), {},
              [book](std::size_t row) { return book->clusters()[book->clusterOf(row)].title; },

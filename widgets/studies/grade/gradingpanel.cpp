@@ -2,8 +2,10 @@
 #include "widgets/studies/grade/gradingpanel.h"
 
 #include "core/grade/showntext.h"
+#include "core/scene/scenefile.h"
 #include "widgets/look/labels.h"
 #include "widgets/look/parts.h"
+#include "widgets/model/scenedocument.h"
 #include "widgets/studies/grade/gradebook.h"
 #include "widgets/studies/grade/gradedialog.h"
 #include "widgets/studies/grade/gradereviewpane.h"
@@ -14,8 +16,9 @@
 
 namespace pixelplumb {
 
-GradingPanel::GradingPanel(QWidget *parent)
+GradingPanel::GradingPanel(SceneDocument *document, QWidget *parent)
     : QWidget(parent)
+    , m_document(document)
     , m_book(new Gradebook(this))
     , m_model(gradeRows(m_book, this))
     , m_filter(new GradeFilter(this))
@@ -59,12 +62,15 @@ QSize GradingPanel::sizeHint() const
 void GradingPanel::addFiles(QBoxLayout *layout)
 {
     auto *open = namedButton("gradingOpen", tr("Open results…"),
-                             tr("Open a folder of results of pixelplumb-cli grade"), this);
-    auto *grade = namedButton("gradingGrade", tr("Grade a folder…"),
-                              tr("Grade the submissions of a folder by an assignment"), this);
+                             tr("Open a folder of results: of this window or of pixelplumb-cli "
+                                "grade"),
+                             this);
+    auto *grade
+        = namedButton("gradingGrade", tr("Grade a folder…"),
+                      tr("Grade a folder of submissions by an assignment or by this scene"), this);
     m_report = namedButton("gradingReports", tr("Write reports"),
-                           tr("Write the reports for Gradescope and others, the table and the "
-                              "page anew, with the comments"),
+                           tr("Write the reports again, with your comments: for Gradescope and "
+                              "others, the table and the page"),
                            this);
     auto *progress
         = new JobBar(m_book->job(), u"grading"_s, tr("Submissions that are graded"), 160, this);
@@ -136,13 +142,26 @@ void GradingPanel::gradeFolder()
     GradeDialog dialog(this);
     dialog.setPaths(m_paths.submissions, m_paths.assignment, m_paths.results);
     const bool isAccepted = dialog.exec() == QDialog::Accepted;
-    m_paths = {dialog.submissions(), dialog.assignment(), dialog.results()};
+    m_paths = {dialog.submissions(), dialog.assignment(), dialog.results(), dialog.leeway()};
     if (!isAccepted)
         return;
-    if (kindOfFile(m_paths.assignment) == FileKind::Scene)
+    if (dialog.isByScene())
+        m_book->gradeByScene(m_paths.submissions, m_document->scene(), tr("The window's scene"),
+                             m_paths.results, m_paths.leeway);
+    else if (kindOfFile(m_paths.assignment) == FileKind::Scene)
         emit sceneMet(m_paths.assignment);
     else
-        m_book->grade(m_paths.submissions, m_paths.assignment, m_paths.results, dialog.leeway());
+        m_book->grade(m_paths.submissions, m_paths.assignment, m_paths.results, m_paths.leeway);
+}
+
+void GradingPanel::gradeByScene(const QString &sceneFile)
+{
+    const auto reading = readSceneFile(sceneFile);
+    if (reading)
+        m_book->gradeByScene(m_paths.submissions, reading->scene, QFileInfo(sceneFile).baseName(),
+                             m_paths.results, m_paths.leeway);
+    else
+        emit m_book->complaint(tr("Nothing is graded: %1").arg(reading.error().message()));
 }
 
 void GradingPanel::gradeBy(const QString &assignment)
@@ -170,6 +189,7 @@ void GradingPanel::showReport()
     updateGeometry();
     emit neededHeightChanged();
     emit closeRequested(); // it belongs to the previous report
+    m_table->setCurrentIndex(m_filter->index(0, 0));
 }
 
 std::optional<std::size_t> GradingPanel::chosen() const

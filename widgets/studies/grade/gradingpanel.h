@@ -14,6 +14,7 @@ class Gradebook;
 class GradeFilter;
 class GradeReviewPane;
 class GradeTable;
+class SceneDocument;
 
 /// The assistant's bench: the submissions of a graded folder as a table, by cause, with what each
 /// student is told; reviewed by keys. A selected submission opens beside what was expected: the
@@ -22,7 +23,7 @@ class GradingPanel : public QWidget {
     Q_OBJECT
 
 public:
-    explicit GradingPanel(QWidget *parent = nullptr);
+    explicit GradingPanel(SceneDocument *document, QWidget *parent = nullptr);
     ~GradingPanel() override;
 
     Gradebook *book() const { return m_book; }
@@ -32,6 +33,8 @@ public slots:
     void openResults(); ///< asks for the folder
     void gradeFolder(); ///< asks what
     void gradeBy(const QString &assignment); ///< asks which folder
+    /// Grades as the dialog was last told to, but by the scene of a file.
+    void gradeByScene(const QString &sceneFile);
     void putDown(); ///< deselects: no picture is displayed
 
 signals:
@@ -53,6 +56,7 @@ private:
     void narrow(const Change &change);
     std::optional<std::size_t> chosen() const; ///< the submission's index in the report
 
+    SceneDocument *m_document;
     Gradebook *m_book;
     QAbstractItemModel *m_model;
     GradeFilter *m_filter;
@@ -67,6 +71,7 @@ private:
     /// As the dialog had them last.
     struct {
         QString submissions, assignment, results;
+        std::optional<Leeway> leeway;
     } m_paths;
 };
 

@@ -8,20 +8,26 @@ namespace pixelplumb {
 LeewayBox::LeewayBox(const char *name, QWidget *parent)
     : ElidingBox(parent)
 {
-    named(this, name, tr("Leeway: which pixels a right program may have otherwise"));
+    const QString question = tr("Leeway: which pixels may differ in a right picture");
+    explained(this, name, question);
+    setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+    setMinimumContentsLength(8);
     const auto add = [this](Leeway leeway, const QString &text, const QString &inWords) {
         addItem(text, int(leeway));
         setItemData(count() - 1, inWords, Qt::ToolTipRole);
     };
-    connect(this, &QComboBox::currentIndexChanged, this, [this] {
-        setToolTip(accessibleName() + u"\n"_s + currentData(Qt::ToolTipRole).toString());
+    add(Leeway::Strict, tr("strict: no pixel"),
+        tr("strict: no pixel may differ; the scene's fill rule decides every pixel"));
+    add(Leeway::Rule, tr("rule: rounding"),
+        tr("rule: only pixels that rounding may decide; the scene's fill rule decides all others"));
+    add(Leeway::Edges, tr("edges: any fill rule"),
+        tr("edges: also every pixel exactly on an edge, so any fill rule is right"));
+    add(Leeway::Once, tr("once: any rule, no gaps"),
+        tr("once: as edges, but a pixel on a shared edge is drawn by exactly one triangle"));
+    connect(this, &QComboBox::currentIndexChanged, this, [this, question] {
+        const QString inWords = currentData(Qt::ToolTipRole).toString();
+        setToolTip(inWords.isEmpty() ? question : question + u'\n' + inWords);
     });
-    add(Leeway::Strict, tr("strict"), tr("None: the fill rule decides all, nothing is rounded"));
-    add(Leeway::Rule, tr("rule"),
-        tr("What rounding may decide; anything else on an edge is the fill rule's"));
-    add(Leeway::Edges, tr("edges"), tr("Also every sample on an edge, where fill rules differ"));
-    add(Leeway::Once, tr("once"),
-        tr("As edges, but between triangles a sample is drawn by exactly one of them"));
     connect(this, &QComboBox::activated, this, [this] {
         if (const auto chosen = leeway())
             emit leewayChosen(*chosen);

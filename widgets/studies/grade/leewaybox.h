@@ -8,8 +8,8 @@
 
 namespace pixelplumb {
 
-/// Chooses which pixels a right program may have otherwise, by the names of assignments and of the
-/// command line.
+/// Chooses which pixels a right program may have otherwise, each by its name in assignments and on
+/// the command line, and in words.
 class LeewayBox : public ElidingBox {
     Q_OBJECT
 

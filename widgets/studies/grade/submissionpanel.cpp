@@ -69,11 +69,12 @@ void SubmissionPanel::addHead(QBoxLayout *layout)
         = namedButton("submissionRemove", tr("Remove"),
                       tr("Take the student's picture away; the scene stays as it is"), m_content);
     m_leeway = new LeewayBox("submissionLeeway", m_content);
-    auto *row
-        = withParts(new QHBoxLayout,
-                    {open, m_remove, Room(), new QLabel(tr("Leeway"), m_content), m_leeway}, 4);
-    layout->addWidget(m_name); // a row of its own: German words and file names are long
+    auto *row = withParts(new QHBoxLayout, {open, m_remove, Room()}, 4);
+    auto *leewayRow
+        = withParts(new QHBoxLayout, {new QLabel(tr("Leeway"), m_content), {m_leeway, 1}}, 4);
+    layout->addWidget(m_name); // rows of their own: German words and file names are long
     layout->addLayout(row);
+    layout->addLayout(leewayRow);
     connect(open, &QToolButton::clicked, this, &SubmissionPanel::openRequested);
     connect(m_remove, &QToolButton::clicked, m_student, &StudentPicture::remove);
     connect(m_leeway, &LeewayBox::leewayChosen, m_student, [this](Leeway leeway) {
@@ -105,9 +106,8 @@ void SubmissionPanel::addPictures(QBoxLayout *layout)
     m_expected = new SubmissionView(SubmissionView::Side::Expected, m_link, m_playhead, m_pictures);
     addPicture(tr("Student"), m_found);
     addPicture(tr("Expected"), m_expected);
-    m_next
-        = namedButton("submissionNext", tr("Next difference"),
-                      tr("Pick the next pixel that differs, in the order of reading"), m_pictures);
+    m_next = namedButton("submissionNext", tr("Next difference"),
+                         tr("Pick the next pixel that differs, in reading order"), m_pictures);
     m_pixel = readingLabel("submissionPixel", tr("The picked pixel"), m_pictures);
     column->addWidget(m_next);
     column->addWidget(m_pixel);

@@ -37,7 +37,8 @@ QString countText(const PictureDiff &diff, Difference verdict)
             .arg(count)
             .arg(diff.largestError);
     case Difference::Undecidable:
-        return SubmissionPanel::tr("%L1 undecidable, on an edge or by rounding").arg(count);
+        return SubmissionPanel::tr("%L1 undecidable: on an edge or within rounding error")
+            .arg(count);
     case Difference::None:
         break;
     }
@@ -53,8 +54,8 @@ QString verdictText(const PictureDiff &diff)
         return SubmissionPanel::tr("Wrong: %n pixels differ.", nullptr, int(diff.differing()));
     if (open > 0)
         return SubmissionPanel::tr(
-            "Undecidable: %n pixels lie on an edge, where fill rules differ, or within the "
-            "rounding error of float32.",
+            "Right by another fill rule or within rounding: %n pixels lie on an edge, where fill "
+            "rules differ, or within float32 rounding error.",
             nullptr, int(open));
     return SubmissionPanel::tr("Right: no pixel differs.");
 }
