@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/look/symbolitems.h"
 
-#include "widgets/look/symboltext.h"
+#include "widgets/look/typesetting.h"
 
 #include <QApplication>
 #include <QStylePainter>
