@@ -3,6 +3,7 @@
 
 #include "widgets/look/numberformat.h"
 #include "widgets/look/parts.h"
+#include "widgets/look/symbolitems.h"
 #include "widgets/look/typesetting.h"
 
 #include <QtWidgets>

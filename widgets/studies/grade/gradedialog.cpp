@@ -61,7 +61,8 @@ void GradeDialog::addWords(QBoxLayout *layout)
 
 QLineEdit *GradeDialog::addPath(QFormLayout *form, const char *name, const QString &label)
 {
-    auto *edit = named(new QLineEdit(this), name, {}, inWords);
+    auto *edit = new QLineEdit(this);
+    edit->setObjectName(QLatin1String(name));
     auto *browse = new QPushButton(tr("Choose…"), this);
     browse->setAccessibleName(tr("Choose: %1").arg(QString(label).remove(u'&')));
     browse->setAutoDefault(false);
