@@ -4,7 +4,7 @@
 #include "core/scan/choicenames.h"
 #include "core/scan/curves/beziersubdivision.h"
 #include "core/shade/edgepixels.h"
-#include "core/shade/strokearea.h"
+#include "core/shade/strokes/strokearea.h"
 #include "tests/support/framespec.h"
 #include "tests/support/listings/listingshapes.h"
 #include "tests/support/testprogram.h"
