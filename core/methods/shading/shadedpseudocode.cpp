@@ -13,12 +13,6 @@ namespace {
 
 using enum Moment;
 
-using Samplings = std::vector<Antialiasing>;
-const Samplings one = {Antialiasing::None}, byArea = {Antialiasing::Area},
-                several = {Antialiasing::Samples4, Antialiasing::Samples16};
-const std::vector<Moment> everySpan = {Begin, TakeOver, Span}, written = {First, Next},
-                          visited = {First, Next, Refused};
-
 /// Makes the lines of a form. Where vertices are not walked along, P₀, P₁ and P₂ stay as given, and
 /// l, m and r are the sorted ones.
 class ShadedListing {
@@ -46,6 +40,13 @@ public:
     }
 
 private:
+    using Samplings = std::vector<Antialiasing>;
+    static inline const Samplings one = {Antialiasing::None}, byArea = {Antialiasing::Area},
+                                  several = {Antialiasing::Samples4, Antialiasing::Samples16};
+    static inline const std::vector<Moment> everySpan = {Begin, TakeOver, Span},
+                                            written = {First, Next},
+                                            visited = {First, Next, Refused};
+
     PseudocodeLine &add(int depth, const QString &text, const std::vector<Moment> &moments,
                         LineOf of = LineOf::EveryPrimitive)
     {
