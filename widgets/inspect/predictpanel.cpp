@@ -223,13 +223,8 @@ void PredictPanel::ask()
     offer(example.isEmpty() ? QList<QWidget *>() : QList<QWidget *>{m_answer, m_check, m_show});
 }
 
-void PredictPanel::goOn()
-{
-    if (asksForPixel())
-        m_playhead->seekToPixelStep(m_nextPixel->step);
-    else
-        m_playhead->step(StepUnit::Span, StepDirection::Forward);
-}
+/// To the step that was asked for; set-ups before it are passed over.
+void PredictPanel::goOn() { m_playhead->seekToPixelStep(place().step); }
 
 /// Closes the question; the next key goes on.
 void PredictPanel::settle(const QString &verdict)

@@ -47,11 +47,7 @@ bool TraceNavigation::isLanding(StepUnit unit, std::size_t position) const
     if (position == 0 || position == m_trace->stepCount() || unit == StepUnit::Sample)
         return true;
     const TraceStep step = m_trace->stepAt(position - 1);
-    if (unit == StepUnit::SetUp)
-        return step.kind == StepKind::SetUp;
-    if (step.kind == StepKind::SetUp)
-        return m_trace->firstSpanOf(step.primitive) == m_trace->endSpanOf(step.primitive);
-    return step.kind == StepKind::Span;
+    return step.kind == StepKind::SetUp || (unit == StepUnit::Span && step.kind == StepKind::Span);
 }
 
 std::size_t TraceNavigation::landingFrom(std::size_t position, StepUnit unit,

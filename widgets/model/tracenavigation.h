@@ -25,8 +25,7 @@ struct Breakpoints {
 
 /// Finds positions in a trace; moves nothing. A landing of a unit is a position at which stepping
 /// by it stops: just after each set-up, each span entered, or each step; and always the start and
-/// the end. Stepping by spans also stops at the set-up of a primitive without spans, so that a
-/// rejected one is not passed over in silence.
+/// the end. Stepping by spans stops at set-ups, too: they give the slopes that the spans use.
 class TraceNavigation {
 public:
     explicit TraceNavigation(const ScanTrace &trace)

@@ -109,6 +109,16 @@ private slots:
         QVERIFY(line()->hasFocus());
     }
 
+    void anAnswerGoesOnToItsColumnPastTheSetUp()
+    {
+        pressKeyOf(u"predictDock"_s);
+        m_playhead->seek(0);
+        type(u"0"_s);
+        named<QAbstractButton>(*m_window, "predictShow")->click();
+        QTest::keyClick(line(), Qt::Key_Return);
+        QCOMPARE(m_playhead->currentSpan(), std::optional(std::size_t(0)));
+    }
+
     /// A user who steps on, reads the number and steps back is asked again but gets no credit; nor
     /// is the same question a new one at the next pixel of the span.
     void aStepThatWasDoneAlreadyIsNotForetold()
@@ -119,7 +129,7 @@ private slots:
         };
         const auto score = [this] { return named<QLabel>(*m_window, "predictScore")->text(); };
         pressKeyOf(u"predictDock"_s);
-        m_playhead->seek(0);
+        m_playhead->seek(1); // the set-up is done
         m_playhead->step(StepUnit::Span, StepDirection::Forward);
         m_playhead->step(StepUnit::Span, StepDirection::Backward);
 

@@ -81,14 +81,15 @@ private slots:
         QVERIFY(stops.size() > 3);
     }
 
-    void columnStepsStopJustAfterEachColumnWasEntered()
+    void columnStepsStopJustAfterEachSetUpAndEachColumnWasEntered()
     {
         TracedPlayhead playhead(traced());
         const ScanTrace &trace = *playhead.traced()->trace;
         std::vector<std::size_t> expected;
         for (std::size_t column = 0; column < trace.spanCount(); ++column)
             expected.push_back(trace.indexOfSpan(column) + 1);
-        expected.push_back(trace.indexOfSetUp(1) + 1); // refused, so it has no column to stop at
+        for (std::size_t triangle = 0; triangle < trace.primitiveCount(); ++triangle)
+            expected.push_back(trace.indexOfSetUp(triangle) + 1); // one has no column to stop at
         expected.push_back(trace.stepCount());
         std::ranges::sort(expected);
 

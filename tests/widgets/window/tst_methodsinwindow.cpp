@@ -224,7 +224,7 @@ private slots:
         scene.method = "row-walk";
         const auto window = openedWindow(scene);
         Playhead &playhead = *window->parts().playhead;
-        playhead.seek(0);
+        playhead.seek(1); // the set-up is done
         playhead.step(StepUnit::Span, StepDirection::Forward);
         QVERIFY(playhead.currentPlace().has_value());
         QVERIFY(playhead.currentPlace()->axis == SpanAxis::Row);
