@@ -2584,10 +2584,6 @@
         <translation>Ex&amp;portieren</translation>
     </message>
     <message>
-        <source>&amp;Picture (PNG)…</source>
-        <translation>&amp;Bild (PNG) …</translation>
-    </message>
-    <message>
         <source>&amp;Annotated grid (SVG)…</source>
         <translation>Beschriftetes &amp;Gitter (SVG) …</translation>
     </message>
@@ -2626,6 +2622,14 @@
     <message>
         <source>Steps (&amp;JSON)…</source>
         <translation>Schritte (&amp;JSON) …</translation>
+    </message>
+    <message>
+        <source>&amp;PNG of the finished picture…</source>
+        <translation>PNG des fertigen &amp;Bildes …</translation>
+    </message>
+    <message>
+        <source>PNG as &amp;drawn so far…</source>
+        <translation>PNG &amp;des bisher Gezeichneten …</translation>
     </message>
 </context>
 <context>

@@ -127,9 +127,10 @@ bool SceneExports::writeRaster(const QString &path, ExportMoment moment)
     return tellOutcome(path, error ? error->message() : QString(), frameText(*m_document));
 }
 
-void SceneExports::exportPicture()
+void SceneExports::exportPicture(ExportMoment moment)
 {
-    if (const auto target = askForTarget(tr("Export the Picture"), tr("PNG picture"), u"png"_s))
+    if (const auto target
+        = askForTarget(tr("Export the Picture"), tr("PNG picture"), u"png"_s, moment))
         writePicture(target->path, target->moment);
 }
 
@@ -203,12 +204,14 @@ void SceneExports::copyPickedPixel()
 
 /// The file dialog offers the moments as kinds of files: every desktop's own dialog has a choice of
 /// these.
-std::optional<SceneExports::Target> SceneExports::askForTarget(const QString &title,
-                                                               const QString &kind,
-                                                               const QString &suffix) const
+std::optional<SceneExports::Target> SceneExports::askForTarget(
+    const QString &title, const QString &kind, const QString &suffix,
+    std::optional<ExportMoment> chosen) const
 {
-    QStringList filters{tr("%1, finished (*.%2)").arg(kind, suffix)};
-    if (m_playhead->position() < m_playhead->end())
+    QStringList filters;
+    if (chosen != ExportMoment::AsDrawn)
+        filters += tr("%1, finished (*.%2)").arg(kind, suffix);
+    if (chosen != ExportMoment::Finished && m_playhead->position() < m_playhead->end())
         filters += tr("%1, as drawn so far: step %2 of %3 (*.%4)")
                        .arg(kind, QString::number(m_playhead->position()),
                             QString::number(m_playhead->end()), suffix);
@@ -222,9 +225,9 @@ std::optional<SceneExports::Target> SceneExports::askForTarget(const QString &ti
     dialog.selectFile(proposedName(suffix));
     if (dialog.exec() != QDialog::Accepted)
         return std::nullopt;
+    const bool isFirst = dialog.selectedNameFilter() == filters.front();
     return Target{dialog.selectedFiles().constFirst(),
-                  dialog.selectedNameFilter() == filters.front() ? ExportMoment::Finished
-                                                                 : ExportMoment::AsDrawn};
+                  chosen.value_or(isFirst ? ExportMoment::Finished : ExportMoment::AsDrawn)};
 }
 
 QString SceneExports::proposedName(const QString &suffix) const

@@ -49,7 +49,7 @@ public:
     void cancelWriting();
 
 public slots:
-    void exportPicture();
+    void exportPicture(pixelplumb::ExportMoment moment);
     void exportAnnotatedGrid();
     void exportTrace(pixelplumb::TraceLevel level, pixelplumb::TableFormat format);
     void exportRaster();
@@ -68,8 +68,10 @@ private:
         QString path;
         ExportMoment moment = ExportMoment::Finished;
     };
+    /// Asks for the moment, too, unless it was chosen already.
     std::optional<Target> askForTarget(const QString &title, const QString &kind,
-                                       const QString &suffix) const;
+                                       const QString &suffix,
+                                       std::optional<ExportMoment> chosen = {}) const;
     /// False after a complaint: nothing is drawn, or the path is that of an input.
     bool mayWriteTo(const QString &path);
     bool hasTrace();

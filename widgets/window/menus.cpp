@@ -75,8 +75,14 @@ void FileMenu::addExports(const WindowParts &parts)
     SceneExports *exports = parts.exports;
     QMenu *menu = addMenu(tr("&Export"));
     menu->setObjectName(u"exportMenu"_s);
-    addMenuAction(menu, "exportPicture", tr("&Picture (PNG)…"), Qt::CTRL | Qt::Key_E,
-                  [exports] { exports->exportPicture(); });
+    addMenuAction(menu, "exportPicture", tr("&PNG of the finished picture…"), Qt::CTRL | Qt::Key_E,
+                  [exports] { exports->exportPicture(ExportMoment::Finished); });
+    QAction *asDrawn = addMenuAction(menu, "exportPictureAsDrawn", tr("PNG as &drawn so far…"), {},
+                                     [exports] { exports->exportPicture(ExportMoment::AsDrawn); });
+    keepUpdated(
+        parts.playhead, &Playhead::positionChanged, asDrawn, [asDrawn, playhead = parts.playhead] {
+            asDrawn->setEnabled(playhead->position() > 0 && playhead->position() < playhead->end());
+        });
     addMenuAction(menu, "exportGrid", tr("&Annotated grid (SVG)…"), {},
                   [exports] { exports->exportAnnotatedGrid(); });
     menu->addSeparator();

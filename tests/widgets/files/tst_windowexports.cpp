@@ -181,25 +181,51 @@ private slots:
             QVERIFY2(notice[0].toString().endsWith(frame + u'.'), qPrintable(notice[0].toString()));
     }
 
-    void theExportDialogOffersTheCurrentMoment()
+    void thePictureIsExportedAsDrawnOnlyInTheMidstOfARun()
+    {
+        const auto window = openedWindow();
+        const QAction *asDrawn = action(*window, "exportPictureAsDrawn");
+        Playhead &playhead = *window->parts().playhead;
+        QVERIFY(asDrawn->isEnabled());
+        playhead.seek(0);
+        QVERIFY(!asDrawn->isEnabled());
+        playhead.seek(1);
+        QVERIFY(asDrawn->isEnabled());
+        playhead.seek(playhead.end());
+        QVERIFY(!asDrawn->isEnabled());
+    }
+
+    void eachExportOfThePictureWritesTheMomentOfItsName_data()
+    {
+        QTest::addColumn<QByteArray>("name");
+        QTest::newRow("finished") << QByteArray("exportPicture");
+        QTest::newRow("as drawn so far") << QByteArray("exportPictureAsDrawn");
+    }
+    void eachExportOfThePictureWritesTheMomentOfItsName()
     {
         QCoreApplication::setAttribute(Qt::AA_DontUseNativeDialogs);
         const auto window = openedWindow();
-        const QString path = m_settings.folder() + "/drawn.png";
+        QFETCH(QByteArray, name);
+        const QString path = m_settings.folder() + u'/' + QLatin1String(name) + ".png";
         QStringList filters;
         QTimer::singleShot(0, window.get(), [&] {
             auto *dialog = qobject_cast<QFileDialog *>(QApplication::activeModalWidget());
             filters = dialog->nameFilters();
-            dialog->selectNameFilter(filters.constLast());
             dialog->selectFile(path);
             dialog->findChild<QDialogButtonBox *>()->button(QDialogButtonBox::Save)->click();
         });
-        action(*window, "exportPicture")->trigger();
+        action(*window, name.constData())->trigger();
 
-        QCOMPARE(filters.size(), 2);
-        QVERIFY2(filters.constLast().contains("as drawn so far"), qPrintable(filters.constLast()));
+        QCOMPARE(filters.size(), 1);
+        QVERIFY2(filters[0].contains(QLatin1String(QTest::currentDataTag())),
+                 qPrintable(filters[0]));
+        Playhead &playhead = *window->parts().playhead;
+        const QImage soFar = playhead.frame()->copy();
+        playhead.seek(playhead.end());
+        const QImage finished = playhead.frame()->copy();
+        QVERIFY(soFar != finished);
         QCOMPARE(QImage(path).convertToFormat(QImage::Format_RGB32),
-                 window->parts().playhead->frame()->copy());
+                 name == "exportPicture" ? finished : soFar);
     }
 
     void aTraceIsWrittenBesideTheWindow()
