@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/window/paneldock.h"
 
+#include "widgets/canvas/canvas.h"
 #include "widgets/look/parts.h"
 #include "widgets/model/playhead.h"
 #include "widgets/window/windowdocks.h"
@@ -12,6 +13,20 @@
 namespace pixelplumb {
 
 namespace {
+
+constexpr int lowWindow = 700; ///< logical pixels of height
+
+/// QMainWindow::resizeDocks() takes them for a part of the dock.
+int tabsBelow(const QMainWindow &window, const QDockWidget &dock)
+{
+    for (const QTabBar *bar :
+         window.findChildren<QTabBar *>(QString(), Qt::FindDirectChildrenOnly)) {
+        if (bar->isVisible()
+            && bar->geometry().intersects(dock.geometry().adjusted(0, 0, 0, bar->height())))
+            return bar->height();
+    }
+    return 0;
+}
 
 /// Under Wayland a floating dock cannot be moved or docked again before Qt 6.6.
 bool canFloat()
@@ -178,6 +193,12 @@ void DockRoom::keepHalf()
     m_window->resizeDocks(beside, widths, Qt::Horizontal);
 }
 
+/// The canvas's, when a panel below it is opened.
+int DockRoom::leastHeight() const
+{
+    return m_window->height() * (m_window->height() < lowWindow ? 30 : 40) / 100;
+}
+
 void DockRoom::makeFor(QDockWidget *dock)
 {
     if (dock->isFloating() || dock->isHidden())
@@ -188,14 +209,17 @@ void DockRoom::makeFor(QDockWidget *dock)
         makeBeside(dock);
 }
 
-/// A study needs more than the columns' first strip: it gets the height it asks for, at most half;
-/// the canvas keeps the rest.
+/// A study needs more than the columns' first strip: it gets the height it asks for, as far as the
+/// canvas keeps its share.
 void DockRoom::makeBelow(QDockWidget *dock)
 {
     if (!studiesBelow().contains(dock))
         return;
-    const int wanted = std::min(dock->sizeHint().height() + tabsHeight, m_window->height() / 2);
-    m_window->resizeDocks({dock}, {std::max(wanted, m_heightBefore.value_or(0))}, Qt::Vertical);
+    const int wanted = std::max(dock->sizeHint().height() + tabsHeight, m_heightBefore.value_or(0));
+    const int canvas = m_centre->findChild<Canvas *>()->height();
+    const int both = canvas + dock->height() + tabsBelow(*m_window, *dock);
+    m_window->resizeDocks({dock}, {std::max(1, std::min(wanted, both - leastHeight()))},
+                          Qt::Vertical);
 }
 
 /// Half of the width stays the canvas's. A panel in the formulas' place gets the height it asks

@@ -35,8 +35,8 @@ private:
 bool isInFront(const QDockWidget &dock);
 
 /// Gives an opened panel its room from the canvas, and returns it when the panel closes. Half of
-/// the window's width stays the canvas's, whatever is opened or dragged, as far as the panels
-/// beside it can shrink.
+/// the window's width stays the canvas's, whatever is opened or dragged, and 40 % of its height, or
+/// 30 % in a low window, whatever is opened, as far as the panels around it can shrink.
 class DockRoom : public QObject {
     Q_OBJECT
 
@@ -68,13 +68,14 @@ protected:
 
 private:
     int half() const;
+    int leastHeight() const;
     void keepHalf();
     void makeBelow(QDockWidget *dock);
     void makeBeside(QDockWidget *dock);
     QList<QDockWidget *> studiesBelow() const;
 
     QMainWindow *m_window;
-    QWidget *m_centre; ///< the window's central widget: the canvas
+    QWidget *m_centre; ///< the window's central widget: the canvas and what belongs to it
     QList<QDockWidget *> m_docks;
     Usual m_usual;
     std::optional<int> m_heightBefore; ///< of the panels below the canvas, while a study has more

@@ -230,6 +230,39 @@ private slots:
         }
     }
 
+    void theCanvasKeepsItsHeightWhateverPanelIsOpened_data()
+    {
+        QTest::addColumn<QSize>("size");
+        QTest::addColumn<int>("percent");
+        QTest::newRow("1024 × 640") << QSize(1016, 600) << 30;
+        QTest::newRow("1366 × 768") << QSize(1358, 728) << 40;
+    }
+    void theCanvasKeepsItsHeightWhateverPanelIsOpened()
+    {
+        QFETCH(QSize, size);
+        QFETCH(int, percent);
+        const auto window = windowOf(size);
+        QStringList low;
+        const auto look = [&](const QString &what) {
+            settle();
+            const int height = window->parts().canvas->height();
+            if (height < size.height() * percent / 100)
+                low += u"%1: %2 px"_s.arg(what).arg(height);
+        };
+        for (const char *workspace :
+             {"stepWorkspace", "compareWorkspace", "measureWorkspace", "gradeWorkspace"}) {
+            action(*window, workspace)->trigger();
+            look(QLatin1String(workspace));
+        }
+        for (const QDockWidget *dock : window->findChildren<QDockWidget *>()) {
+            QAction *toggle = named<QAction>(*window, qPrintable(dock->objectName() + "Toggle"));
+            if (!toggle->isChecked())
+                toggle->trigger();
+            look(dock->objectName());
+        }
+        QVERIFY2(low.isEmpty(), qPrintable(low.join(u'\n')));
+    }
+
     /// Everything that brings a panel into the window: its key, floating and docking, dragging to
     /// every side, all panels at once, and resetting the layout.
     void noPanelMakesTheWindowLargerThanItsScreen_data() { addSizes(); }
