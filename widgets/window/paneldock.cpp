@@ -193,12 +193,6 @@ void DockRoom::keepHalf()
     m_window->resizeDocks(beside, widths, Qt::Horizontal);
 }
 
-/// The canvas's, when a panel below it is opened.
-int DockRoom::leastHeight() const
-{
-    return m_window->height() * (m_window->height() < lowWindow ? 30 : 40) / 100;
-}
-
 void DockRoom::makeFor(QDockWidget *dock)
 {
     if (dock->isFloating() || dock->isHidden())
@@ -210,16 +204,20 @@ void DockRoom::makeFor(QDockWidget *dock)
 }
 
 /// A study needs more than the columns' first strip: it gets the height it asks for, as far as the
-/// canvas keeps its share.
+/// canvas keeps 40 % of the window's, or in a low window at most half of it.
 void DockRoom::makeBelow(QDockWidget *dock)
 {
     if (!studiesBelow().contains(dock))
         return;
-    const int wanted = std::max(dock->sizeHint().height() + tabsHeight, m_heightBefore.value_or(0));
+    const int wanted = dock->sizeHint().height() + tabsHeight;
+    const int before = m_heightBefore.value_or(0);
+    const int height = m_window->height();
     const int canvas = m_centre->findChild<Canvas *>()->height();
     const int both = canvas + dock->height() + tabsBelow(*m_window, *dock);
-    m_window->resizeDocks({dock}, {std::max(1, std::min(wanted, both - leastHeight()))},
-                          Qt::Vertical);
+    const int given = height < lowWindow
+        ? std::max(std::min(wanted, height / 2), before)
+        : std::min(std::max(wanted, before), both - height * 2 / 5);
+    m_window->resizeDocks({dock}, {std::max(1, given)}, Qt::Vertical);
 }
 
 /// Half of the width stays the canvas's. A panel in the formulas' place gets the height it asks

@@ -35,8 +35,8 @@ private:
 bool isInFront(const QDockWidget &dock);
 
 /// Gives an opened panel its room from the canvas, and returns it when the panel closes. Half of
-/// the window's width stays the canvas's, whatever is opened or dragged, and 40 % of its height, or
-/// 30 % in a low window, whatever is opened, as far as the panels around it can shrink.
+/// the window's width stays the canvas's, whatever is opened or dragged, and 40 % of its height,
+/// unless it is low, whatever is opened, as far as the panels around it can shrink.
 class DockRoom : public QObject {
     Q_OBJECT
 
@@ -68,7 +68,6 @@ protected:
 
 private:
     int half() const;
-    int leastHeight() const;
     void keepHalf();
     void makeBelow(QDockWidget *dock);
     void makeBeside(QDockWidget *dock);

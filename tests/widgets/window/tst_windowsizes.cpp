@@ -234,8 +234,8 @@ private slots:
     {
         QTest::addColumn<QSize>("size");
         QTest::addColumn<int>("percent");
-        QTest::newRow("1024 × 640") << QSize(1016, 600) << 30;
         QTest::newRow("1366 × 768") << QSize(1358, 728) << 40;
+        QTest::newRow("1920 × 1080") << QSize(1912, 1040) << 40;
     }
     void theCanvasKeepsItsHeightWhateverPanelIsOpened()
     {

@@ -31,7 +31,7 @@ public:
     QPointF positionOf(const QPoint &pixel) const { return mapping().positionOf(pixel); }
 
     QSize sizeHint() const override { return {240, 200}; }
-    QSize minimumSizeHint() const override { return {72, 44}; }
+    QSize minimumSizeHint() const override { return {72, 60}; }
 
 protected:
     /// Draws over the cells.
