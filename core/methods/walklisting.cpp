@@ -195,7 +195,8 @@ QString WalkListing::orderedWithSlopes() const
 
 QString WalkListing::areaRemark() const
 {
-    return u" — %1, twice the signed area, is above 0 where L₀₂ is the {upper} edge"_s.arg(areaName());
+    return u" — %1, twice the signed area, is above 0 where L₀₂ is the {upper} edge"_s.arg(
+        areaName());
 }
 
 QString WalkListing::orderedByArea() const
