@@ -45,8 +45,10 @@ Method outlineFillMethod()
          "ΔR ← (R_high[x] − R_low[x])/(y_high[x] − y_low[x]) if y_low[x] < y_high[x], else 0; ΔG "
          "and ΔB likewise",
          {Moment::Begin, Moment::Span}},
-        {1, "for each row y from y_low[x] to y_high[x]:", {Moment::First, Moment::Next}},
-        {2, "the first: R ← R_low[x]; G and B likewise", {Moment::First}},
+        {1,
+         "for each row y of the frame from y_low[x] to y_high[x]:",
+         {Moment::First, Moment::Next}},
+        {2, "the first: R ← R_low[x] + (y − y_low[x])·ΔR; G and B likewise", {Moment::First}},
         {2, "else: R ← R + ΔR; G and B likewise", {Moment::Next}},
         {2, "pixel (x, y) ← the bytes of R, G, B", {Moment::First, Moment::Next}}};
     method.summary = QT_TRANSLATE_NOOP(

@@ -85,7 +85,7 @@ private slots:
         };
         QVERIFY2(beside().startsWith(u'≈'), qPrintable(beside()));
         scene.settings.variants = scene.settings.variants.with(Variant::UnsortedColours);
-        QVERIFY2(beside().startsWith(u"exact "_s), qPrintable(beside()));
+        QVERIFY2(beside().startsWith(u"truth "_s), qPrintable(beside()));
         QVERIFY(beside().contains(u"error "_s));
     }
 

@@ -46,7 +46,7 @@ private slots:
         QVERIFY(!m_lab->results());
         const auto *invitation = named<QLabel>(*m_lab, "labInvitation");
         QVERIFY(invitation->isVisible());
-        QVERIFY(invitation->text().contains(u": about "_s));
+        QVERIFY(invitation->text().contains(u"(about "_s));
         QVERIFY(invitation->text().endsWith(u" s."_s));
         QVERIFY(!named<QTabWidget>(*m_lab, "labTabs")->isVisible());
 

@@ -80,7 +80,7 @@ private slots:
         click("labRun");
         QVERIFY(m_lab->isRunning());
         QVERIFY(named<QLabel>(*m_lab, "labWarnings")->isVisible());
-        QVERIFY(named<QLabel>(*m_lab, "labWarnings")->text().contains("Results before this run"));
+        QVERIFY(named<QLabel>(*m_lab, "labWarnings")->text().contains("the previous run"));
         click("labCancel");
 
         QTRY_VERIFY_WITH_TIMEOUT(!m_lab->isRunning(), longest);

@@ -251,9 +251,9 @@ private slots:
             const auto traced = traceScene(scene);
             for (std::size_t step = 0; step < traced->trace->stepCount(); ++step) {
                 const Explanation told = explainStep(*traced, step);
-                for (const QString &english : {told.sentence, told.event}) {
-                    const QString shown = coreSentences(english);
-                    QVERIFY2(english.isEmpty() || !shown.contains(english), qPrintable(english));
+                for (const QString &original : {told.sentence, told.event}) {
+                    const QString shown = coreSentences(original);
+                    QVERIFY2(original.isEmpty() || !shown.contains(original), qPrintable(original));
                 }
             }
             for (const NumberDescription &number : traced->trace->numbers().span) {
