@@ -2369,7 +2369,7 @@
         <translation>%1 an, wo es nichts anzuschalten gibt</translation>
     </message>
     <message>
-        <source>No pixel needs %1 here. So the plan should not call for it, unless its values differ by less than a byte.</source>
+        <source>No pixel needs %1 here. That the plan calls for it is a defect, unless its values differ by less than a byte.</source>
         <translation>Kein Pixel braucht hier %1: Dass es gefordert ist, ist ein Defekt des Plans, es sei denn, seine Werte unterscheiden sich um weniger als ein Byte.</translation>
     </message>
     <message>

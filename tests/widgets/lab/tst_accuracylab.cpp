@@ -47,7 +47,7 @@ private slots:
         const auto *invitation = named<QLabel>(*m_lab, "labInvitation");
         QVERIFY(invitation->isVisible());
         QVERIFY(invitation->text().contains(u"(about "_s));
-        QVERIFY(invitation->text().endsWith(u" s."_s));
+        QVERIFY(invitation->text().endsWith(u" s)."_s));
         QVERIFY(!named<QTabWidget>(*m_lab, "labTabs")->isVisible());
 
         named<QComboBox>(*m_lab, "labExtent")->setCurrentIndex(1);

@@ -86,7 +86,7 @@ private slots:
         QTRY_VERIFY_WITH_TIMEOUT(!m_lab->isRunning(), longest);
         QCOMPARE(m_lab->results(), before);
         QCOMPARE(notices.size(), 1);
-        QVERIFY(notices.front().front().toString().contains("the results before it stay"));
+        QVERIFY(notices.front().front().toString().contains("the earlier results stay"));
     }
 
     void aSceneThatIsNotAsItsFileSaysHasNoCommand()

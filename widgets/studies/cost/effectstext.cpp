@@ -67,8 +67,8 @@ QString contradictionText(const EffectPlan &plan, const Appearance &appearance,
     const Verdict verdict = plan.verdicts[*effect].verdict;
     const bool isOff = appearance.forced[*effect] == Forcing::Off;
     if (isOff && verdict == Verdict::CalledFor && changed == 0)
-        return EffectsText::tr("No pixel needs %1 here. So the plan should not call for it, "
-                               "unless its values differ by less than a byte.")
+        return EffectsText::tr("No pixel needs %1 here. That the plan calls for it is a "
+                               "defect, unless its values differ by less than a byte.")
             .arg(name);
     if (isOff && verdict == Verdict::NotCalledFor && changed > 0)
         return EffectsText::tr("A defect: %1 is not called for, and pixels change without it.")
