@@ -275,10 +275,9 @@ Containment ArithmeticBound::byWalk(const Sample &sample, SpanAxis walk, std::in
     return found[0] == found[1] ? found[0] : Containment::Undecided;
 }
 
-ProgramWays ArithmeticBound::deviatingAt(std::int64_t x, std::int64_t y,
-                                         const std::optional<BoundaryRule> &rule) const
+ProgramWays ArithmeticBound::deviatingWays(const Sample &sample, std::int64_t x, std::int64_t y,
+                                           const std::optional<BoundaryRule> &rule) const
 {
-    const Sample sample = sampleAt(x, y, rule);
     const Containment exact = containmentWithin(sample, {}, rule);
     ProgramWays deviating = 0;
     if (byWalk(sample, SpanAxis::Column, x, rule) != exact)
@@ -296,9 +295,11 @@ Containment ArithmeticBound::containmentOf(std::int64_t x, std::int64_t y,
                                            const std::optional<BoundaryRule> &rule,
                                            ProgramWays ways) const
 {
-    if (!m_isProved || (deviatingAt(x, y, rule) & ways) != 0)
+    if (!m_isProved)
         return Containment::Undecided;
-    return containmentWithin(sampleAt(x, y, rule), {}, rule);
+    const Sample sample = sampleAt(x, y, rule);
+    return (deviatingWays(sample, x, y, rule) & ways) != 0 ? Containment::Undecided
+                                                           : containmentWithin(sample, {}, rule);
 }
 
 } // namespace pixelplumb

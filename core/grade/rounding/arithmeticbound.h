@@ -53,7 +53,10 @@ public:
                               ProgramWays ways = allProgramWays) const;
     /// The ways that may decide a sample otherwise than the rule does without rounding.
     ProgramWays deviatingAt(std::int64_t x, std::int64_t y,
-                            const std::optional<BoundaryRule> &rule) const;
+                            const std::optional<BoundaryRule> &rule) const
+    {
+        return deviatingWays(sampleAt(x, y, rule), x, y, rule);
+    }
     /// Like containmentOf() for programs that evaluate edge functions alone.
     Containment containmentByFunctions(std::int64_t x, std::int64_t y,
                                        const std::optional<BoundaryRule> &rule) const
@@ -99,6 +102,8 @@ private:
     void setWalkErrors();
     bool isWalkedExactly(std::size_t edge, SpanAxis walk) const;
     bool areFunctionsExact() const;
+    ProgramWays deviatingWays(const Sample &sample, std::int64_t x, std::int64_t y,
+                              const std::optional<BoundaryRule> &rule) const;
     ProgramWays deviatingThirdWeights(const Sample &sample,
                                       const std::optional<BoundaryRule> &rule) const;
 
