@@ -13,6 +13,8 @@ enum class BorderCrossing : std::uint8_t {
     Outside, ///< its bounding box, or that of each of its parts, holds nothing of the frame
 };
 
+/// The crossing of a bounding box, its boundary included.
+BorderCrossing crossingOfBox(const SampleBox &box, const FrameView &frame);
 /// Whether the triangle has samples both inside and outside the frame: with 4 or 16 samples those,
 /// with area antialiasing any part of a pixel. Exact, except for a triangle with rounded numbers,
 /// which crosses where its bounding box does, and for a sliver of very many rows.

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/methods/shading/coefficientlines.h"
 #include "core/methods/shading/interpolationnames.h"
 #include "core/methods/walklisting.h"
 
@@ -14,35 +15,18 @@ using enum Moment;
 /// Where the vertices have one colour, rounding must not change it.
 QString oneColourText() { return "R₀ = R₁ = R₂ and G₀ = G₁ = G₂ and B₀ = B₁ = B₂"; }
 
-/// What is linear in x and y: each value itself, or the three weights. The vertices are those that
-/// are given, and the operations in the kernel's order, so that floats agree, too.
+/// The vertices are those that are given.
 void addCoefficients(WalkListing &listing, InterpolationForm form)
 {
     const auto add = [&listing](int depth, const QString &text) {
         listing.add(depth, text, {SetUp}, LineOf::Area);
     };
-    if (form == InterpolationForm::Barycentric) {
-        add(0,
-            "A_α, B_α ← y₂ − y₁, x₁ − x₂; C_α ← −A_α·x₁ − B_α·y₁; k_α ← 1/(A_α·x₀ + B_α·y₀ + "
-            "C_α)");
-        add(0,
-            "A_β, B_β ← y₀ − y₂, x₂ − x₀; C_β ← −A_β·x₂ − B_β·y₂; k_β ← 1/(A_β·x₁ + B_β·y₁ + "
-            "C_β)");
-        add(0,
-            "A_γ, B_γ ← y₁ − y₀, x₀ − x₁; C_γ ← −A_γ·x₀ − B_γ·y₀; k_γ ← 1/(A_γ·x₂ + B_γ·y₂ + "
-            "C_γ)");
-        add(0,
-            "a_α ← k_α·A_α; a_β and a_γ likewise; b_α ← k_α·B_α; b_β and b_γ likewise; c_α ← "
-            "k_α·C_α; c_β and c_γ likewise");
-        return;
+    for (const QString &line : coefficientLines(form, u"each value v of R, G, B"_s))
+        add(0, line);
+    if (form == InterpolationForm::Plane) {
+        add(0, u"if %1:"_s.arg(oneColourText()));
+        add(1, "for each value v of R, G, B: a_v, b_v, c_v ← 0, 0, v₀");
     }
-    add(0, "C ← (x₁ − x₀)·(y₂ − y₀) − (y₁ − y₀)·(x₂ − x₀)");
-    add(0,
-        "for each value v of R, G, B: A_v ← (y₁ − y₀)·(v₂ − v₀) − (v₁ − v₀)·(y₂ − y₀); B_v ← (v₁ − "
-        "v₀)·(x₂ − x₀) − (x₁ − x₀)·(v₂ − v₀); D_v ← −(A_v·x₀ + B_v·y₀ + C·v₀)");
-    add(0, "for each value v of R, G, B: a_v, b_v, c_v ← −A_v/C, −B_v/C, −D_v/C");
-    add(0, u"if %1:"_s.arg(oneColourText()));
-    add(1, "for each value v of R, G, B: a_v, b_v, c_v ← 0, 0, v₀");
 }
 
 Pseudocode withSamples(Pseudocode code, InterpolationForm form)

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/methods/shading/coefficientlines.h"
 #include "core/methods/walklisting.h"
 
 #include <algorithm>
@@ -158,28 +159,8 @@ private:
     {
         if (isBilinear(m_form))
             return;
-        if (m_form == InterpolationForm::Plane) {
-            add(depth, "C ← (x₁ − x₀)·(y₂ − y₀) − (y₁ − y₀)·(x₂ − x₀)", {SetUp}, LineOf::Area);
-            add(depth,
-                "for each carried value v: A_v ← (y₁ − y₀)·(v₂ − v₀) − (v₁ − v₀)·(y₂ − y₀); B_v ← "
-                "(v₁ − v₀)·(x₂ − x₀) − (x₁ − x₀)·(v₂ − v₀); D_v ← −(A_v·x₀ + B_v·y₀ + C·v₀); a_v, "
-                "b_v, c_v ← −A_v/C, −B_v/C, −D_v/C",
-                {SetUp}, LineOf::Area);
-        } else {
-            for (const auto &[letter, i, j, k] :
-                 {std::tuple(u'α', u'₀', u'₁', u'₂'), std::tuple(u'β', u'₁', u'₂', u'₀'),
-                  std::tuple(u'γ', u'₂', u'₀', u'₁')}) {
-                add(depth,
-                    u"A_α, B_α ← y& − y#, x# − x&; C_α ← −A_α·x# − B_α·y#; k_α ← 1/(A_α·x@ + "
-                    u"B_α·y@ "
-                    "+ C_α); a_α, b_α, c_α ← k_α·A_α, k_α·B_α, k_α·C_α"_s
-                        .replace(u'α', QChar(letter))
-                        .replace(u'@', QChar(i))
-                        .replace(u'#', QChar(j))
-                        .replace(u'&', QChar(k)),
-                    {SetUp}, LineOf::Area);
-            }
-        }
+        for (const QString &line : coefficientLines(m_form, u"each carried value v"_s))
+            add(depth, line, {SetUp}, LineOf::Area);
         add(depth,
             "a_s, b_s, c_s ← 1/(x_r − x_l), 0, −x_l/(x_r − x_l) if x_l < x_r, else 0, 1/(y_r − "
             "y_l), "
