@@ -2023,12 +2023,12 @@
         <translation>Was die gewählten Defekte sind</translation>
     </message>
     <message>
-        <source>Open in the stepper</source>
-        <translation>Im Schrittablauf öffnen</translation>
+        <source>Step through it</source>
+        <translation>In Schritten ansehen</translation>
     </message>
     <message>
-        <source>Run the scene with these defects and go to the first step that differs from the right run. If no run can have these defects, show that step of the right run</source>
-        <translation>Die Szene mit diesen Defekten laufen lassen, beim ersten Schritt, der vom richtigen Lauf abweicht; wo kein Lauf sie hat, den richtigen Lauf bei diesem Schritt</translation>
+        <source>Run the scene with these defects in Step, from the first step that differs from the right run. If no run can have these defects, show that step of the right run. Alt+Left: back</source>
+        <translation>Die Szene mit diesen Defekten unter „Schritte“ laufen lassen, ab dem ersten Schritt, der vom richtigen Lauf abweicht. Kann kein Lauf diese Defekte haben, wird jener Schritt des richtigen Laufs gezeigt. Alt+Links: zurück</translation>
     </message>
     <message>
         <source>Compare</source>

@@ -73,6 +73,8 @@ void FirstArrangement::layStep()
         m_window->addDockWidget(panel.area, m_docks[i]);
         if (panel.area == Qt::BottomDockWidgetArea)
             m_window->tabifyDockWidget(m_usual.columns, m_docks[i]);
+        if (panel.area == Qt::RightDockWidgetArea)
+            m_window->tabifyDockWidget(m_usual.formula, m_docks[i]);
         m_docks[i]->hide();
     }
     shareLeftPlace();
@@ -83,12 +85,13 @@ void FirstArrangement::layStep()
     resizeStep();
 }
 
-/// Puts the study below the canvas, with the others as tabs behind it, including hidden ones of
-/// other workspaces; panels left of the canvas get the full height.
+/// Puts the studies that belong below the canvas, or to its right, each behind the other, and the
+/// hidden ones of other workspaces with those below; panels beside the canvas get the full height.
 void FirstArrangement::layStudies(Workspace workspace)
 {
     m_window->setCorner(Qt::BottomLeftCorner, Qt::LeftDockWidgetArea);
     m_window->setCorner(Qt::BottomRightCorner, Qt::RightDockWidgetArea);
+    QList<QDockWidget *> right;
     QList<QDockWidget *> below;
     QList<QDockWidget *> foreign;
     QList<QDockWidget *> inSight;
@@ -98,20 +101,19 @@ void FirstArrangement::layStudies(Workspace workspace)
         const bool isShown = isOwn && panel.atFirst == Panel::AtFirst::Shown;
         if (isShown)
             inSight += m_docks[i];
-        if (isOwn && panel.area == Qt::LeftDockWidgetArea)
-            m_window->addDockWidget(Qt::LeftDockWidgetArea, m_docks[i]);
-        else if (isOwn)
-            below.insert(isShown ? 0 : below.size(), m_docks[i]);
-        else
+        QList<QDockWidget *> &place = panel.area == Qt::RightDockWidgetArea ? right : below;
+        if (!isOwn)
             foreign += m_docks[i];
+        else if (panel.area == Qt::LeftDockWidgetArea)
+            m_window->addDockWidget(Qt::LeftDockWidgetArea, m_docks[i]);
+        else
+            place.insert(isShown ? 0 : place.size(), m_docks[i]);
         m_docks[i]->setVisible(isOwn && panel.atFirst != Panel::AtFirst::Hidden);
     }
-    for (QDockWidget *dock : below + foreign) {
-        m_window->addDockWidget(Qt::BottomDockWidgetArea, dock);
-        if (dock != below.first())
-            m_window->tabifyDockWidget(below.first(), dock);
-    }
-    below.first()->raise();
+    addTogether(Qt::RightDockWidgetArea, right);
+    addTogether(Qt::BottomDockWidgetArea, below + foreign);
+    for (QDockWidget *dock : std::as_const(inSight))
+        dock->raise();
     // Docks have their places only after the window's layout.
     QMetaObject::invokeMethod(
         this,
@@ -120,6 +122,16 @@ void FirstArrangement::layStudies(Workspace workspace)
                 m_room->makeFor(dock);
         },
         Qt::QueuedConnection);
+}
+
+/// Adds the panels as tabs of one place.
+void FirstArrangement::addTogether(Qt::DockWidgetArea area, const QList<QDockWidget *> &docks)
+{
+    for (QDockWidget *dock : docks) {
+        m_window->addDockWidget(area, dock);
+        if (dock != docks.first())
+            m_window->tabifyDockWidget(docks.first(), dock);
+    }
 }
 
 /// Whether panels on both sides would leave the canvas less than half the width.

@@ -29,6 +29,7 @@ private:
 
     void layStep();
     void layStudies(Workspace workspace);
+    void addTogether(Qt::DockWidgetArea area, const QList<QDockWidget *> &docks);
     Sharing sharing() const;
     void arrangePixelPanels();
     void shareLeftPlace();

@@ -234,6 +234,8 @@ void DockRoom::makeBeside(QDockWidget *dock)
         const int right = std::min(m_usual.formula->width(), half() - left);
         return m_window->resizeDocks({dock, m_usual.formula}, {left, right}, Qt::Horizontal);
     }
+    if (m_usual.formula->isHidden())
+        return m_window->resizeDocks({dock}, {half()}, Qt::Horizontal);
     const QList<QDockWidget *> inItsPlace = m_window->tabifiedDockWidgets(m_usual.formula);
     if (!inItsPlace.contains(dock) || inItsPlace.contains(m_usual.pixelGrid)
         || m_usual.pixelGrid->isHidden())

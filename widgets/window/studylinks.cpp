@@ -4,6 +4,7 @@
 #include "widgets/canvas/canvas.h"
 #include "widgets/files/scenefiles.h"
 #include "widgets/files/studentpicturefiles.h"
+#include "widgets/inspect/formulapanel.h"
 #include "widgets/inspect/pixelhistorypanel.h"
 #include "widgets/lab/accuracylab.h"
 #include "widgets/look/displayoptions.h"
@@ -58,7 +59,11 @@ DefectStepper *connectDiagnosis(const WindowParts &parts, WindowDocks &docks, Ma
                      });
     docks.whenBuilt<SubmissionPanel>([&docks, stepper](SubmissionPanel *panel) {
         DiagnosisView *diagnosis = panel->diagnosis();
-        QObject::connect(diagnosis, &DiagnosisView::openRequested, stepper, &DefectStepper::open);
+        QObject::connect(diagnosis, &DiagnosisView::openRequested, stepper,
+                         [&docks, stepper](const DefectOpening &opening) {
+                             stepper->open(opening);
+                             docks.raise<FormulaPanel>(); // where a run is stepped
+                         });
         QObject::connect(diagnosis, &DiagnosisView::leaveRequested, stepper, &DefectStepper::leave);
         QObject::connect(stepper, &DefectStepper::leavingChanged, diagnosis,
                          &DiagnosisView::setLeaving);

@@ -509,6 +509,7 @@ private slots:
         const auto parts = partingStepOf(right, document->scene());
         QVERIFY(parts);
         QCOMPARE(playhead->position(), parts->step + 1);
+        QVERIFY(named<QWidget>(*window, "formulaPanel")->isVisible()); // in the workspace Step
         // The right picture is still shown next to the student's.
         QVERIFY(judgement(*window)->diff.differing() > 0);
         QCOMPARE(drawn(*window->parts().student->scene()), drawn(right));

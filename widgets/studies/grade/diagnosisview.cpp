@@ -61,10 +61,10 @@ void DiagnosisView::addResults(QBoxLayout *layout)
     m_sentence = readingLabel("diagnosisSentence", tr("What the chosen defects are"), this);
     m_sentence->setTextFormat(Qt::RichText);
     layout->addWidget(m_sentence);
-    m_open = pushButton("diagnosisOpen", tr("Open in the stepper"),
-                        tr("Run the scene with these defects and go to the first step that "
-                           "differs from the right run. If no run can have these defects, "
-                           "show that step of the right run"),
+    m_open = pushButton("diagnosisOpen", tr("Step through it"),
+                        tr("Run the scene with these defects in Step, from the first step "
+                           "that differs from the right run. If no run can have these "
+                           "defects, show that step of the right run. Alt+Left: back"),
                         this);
     m_compare = pushButton("diagnosisCompare", tr("Compare"),
                            tr("The same, with the right run beside it in Compare"), this);
