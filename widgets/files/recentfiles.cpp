@@ -12,15 +12,17 @@ namespace {
 
 constexpr auto key = "recentFiles";
 
-/// A third into the first span of the second part; else the middle of the run.
+/// On entering the second span of a second part, whose edges both step; else the middle one of the
+/// run.
 std::size_t halfDrawn(const ScanTrace &trace)
 {
-    for (std::size_t span = 0; span < trace.spanCount(); ++span) {
-        const std::size_t samples = trace.endSampleOf(span) - trace.firstSampleOf(span);
-        if (trace.placeOf(span).part == 1 && samples > 0)
-            return trace.indexOfSpan(span) + 1 + samples / 3;
+    const std::size_t spans = trace.spanCount();
+    for (std::size_t span = 1; span < spans; ++span) {
+        if (trace.placeOf(span).part == 1 && trace.placeOf(span - 1).part == 1
+            && trace.endSampleOf(span) > trace.firstSampleOf(span))
+            return trace.indexOfSpan(span) + 1;
     }
-    return trace.stepCount() / 2;
+    return spans > 0 ? trace.indexOfSpan(spans / 2) + 1 : trace.stepCount() / 2;
 }
 
 std::size_t justEntered(std::int64_t x, const ScanTrace &trace)

@@ -41,7 +41,7 @@ private:
 
 /// Where the playhead starts in a scene that was opened.
 enum class OpeningMoment {
-    HalfDrawn, ///< a third of the way up the first column past the middle vertex
+    HalfDrawn, ///< on entering the second column past the middle vertex
     Finished,
 };
 /// On entering the column at x.

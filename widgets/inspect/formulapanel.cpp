@@ -62,10 +62,13 @@ Explanation inWindowsWords(Explanation explanation)
     return explanation;
 }
 
+/// Of the formulas without a scroll bar: one that comes must not make them longer, or it stays.
+int lineWidth(const QTextBrowser &formulas) { return formulas.maximumViewportSize().width(); }
+
 ChannelSymbols symbolsIn(const QTextBrowser &formulas)
 {
     const int wanted = widthForBeside * formulas.fontMetrics().averageCharWidth();
-    return formulas.viewport()->width() >= wanted ? ChannelSymbols::Beside : ChannelSymbols::Above;
+    return lineWidth(formulas) >= wanted ? ChannelSymbols::Beside : ChannelSymbols::Above;
 }
 
 constexpr std::size_t measuredSpans = 6; // of a run, evenly spaced
@@ -214,7 +217,7 @@ int FormulaPanel::formulasHeight(const Explanation &explanation) const
     document.setDefaultFont(m_formulas->font());
     document.setDocumentMargin(m_formulas->document()->documentMargin());
     document.setHtml(formulaHtml(explanation, arithmetic(), palette(), symbolsIn(*m_formulas)));
-    document.setTextWidth(m_formulas->viewport()->width());
+    document.setTextWidth(lineWidth(*m_formulas));
     return int(std::ceil(document.size().height()));
 }
 
@@ -224,7 +227,7 @@ void FormulaPanel::measureRun()
     if (!isVisible() || !traced)
         return; // its size is not final yet, or it shows nothing
     const std::tuple run(traced->method->id, traced->scene.settings.arithmetic,
-                         m_formulas->viewport()->width());
+                         lineWidth(*m_formulas));
     const bool isOther = run != m_measured;
     m_measured = run;
     int sentence = isOther ? 0 : m_sentence->minimumHeight();

@@ -20,7 +20,9 @@ constexpr int pairedHeight = 700;
 constexpr int leftWidth = 280; ///< of the panels left of the canvas, at least
 constexpr int lineWidth = 500; ///< of the formulas: a line of an edge in exact numbers
 
-// Percent of the window's height: the columns have three rows at least.
+constexpr int leastRows = 3; ///< of the columns, where the formulas need the height
+
+// Percent of the window's height, of the columns at first.
 constexpr int leastColumns = 20;
 constexpr int mostColumns = 36;
 
@@ -217,7 +219,9 @@ void FirstArrangement::shortenColumns(int lack)
 {
     const bool isBelow = m_window->dockWidgetArea(m_usual.columns) == Qt::BottomDockWidgetArea
         && m_window->corner(Qt::BottomRightCorner) == Qt::BottomDockWidgetArea;
-    const int least = m_window->height() * leastColumns / 100;
+    const auto *table = m_usual.columns->findChild<QTableView *>();
+    const int rows = leastRows * table->verticalHeader()->defaultSectionSize();
+    const int least = m_usual.columns->height() - table->viewport()->height() + rows;
     if (isBelow && lack > 0 && m_usual.columns->height() > least)
         m_window->resizeDocks({m_usual.columns},
                               {std::max(least, m_usual.columns->height() - lack)}, Qt::Vertical);

@@ -63,8 +63,9 @@ private slots:
     {
         m_window = windowOf(QSize(1016, 600)); // of 1024 × 640
         QTRY_COMPARE(table().horizontalScrollBar()->maximum(), 0);
-        QTRY_VERIFY(table().viewport()->height()
-                    >= 3 * table().verticalHeader()->defaultSectionSize());
+        const int rows = 3 * table().verticalHeader()->defaultSectionSize();
+        QTRY_VERIFY2(table().viewport()->height() >= rows,
+                     qPrintable(u"%1 px of %2 px"_s.arg(table().viewport()->height()).arg(rows)));
         QVERIFY(shownTitles().contains(u"first B"_s));
         QTRY_VERIFY(2 * m_window->parts().canvas->width() >= m_window->width() - 16);
     }

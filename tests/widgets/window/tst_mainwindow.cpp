@@ -23,17 +23,17 @@ class TestMainWindow : public QObject {
 private slots:
     void init() { m_settings.clear(); }
 
-    void opensHalfDrawnInTheFirstColumnPastTheMiddleVertex()
+    void opensHalfDrawnAtTheNumbersOfTheSecondColumnPastTheMiddleVertex()
     {
         const auto window = openedWindow();
         const Playhead &playhead = *window->parts().playhead;
 
-        QCOMPARE(playhead.currentColumnX(), std::optional<std::int64_t>(27));
-        QCOMPARE(playhead.currentPixel(), std::optional(QPoint(27, 19)));
-        QCOMPARE(playhead.pickedPixel(), playhead.currentPixel());
+        QCOMPARE(playhead.currentColumnX(), std::optional<std::int64_t>(28));
+        QCOMPARE(playhead.currentStep()->kind, StepKind::Span);
+        QCOMPARE(playhead.pickedPixel(), std::optional(QPoint(28, 9)));
         QVERIFY(!playhead.isPlaying());
-        QVERIFY(named<QLabel>(*window, "statusPixel")->text().startsWith("pixel (27, 19) #"));
-        QCOMPARE(named<QLabel>(*window, "statusColumn")->text(), "column 27, second half");
+        QVERIFY(named<QLabel>(*window, "statusPixel")->text().startsWith("pixel (28, 9) #"));
+        QCOMPARE(named<QLabel>(*window, "statusColumn")->text(), "column 28, second half");
     }
 
     void undoTakesBackEverything()
