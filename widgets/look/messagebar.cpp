@@ -15,6 +15,8 @@ namespace {
 // Logical pixels.
 constexpr int sideMargin = 16;
 constexpr int widest = 720; ///< longer lines are hard to read
+constexpr int besideMargin = 8;
+constexpr int leastBeside = 160; ///< width of a note beside a picture
 constexpr double linesBelow = 2.5; ///< kept free: a ruler stands at the lower border
 
 } // namespace
@@ -55,7 +57,7 @@ MessageBar::MessageBar(QWidget *covered)
 bool MessageBar::eventFilter(QObject *watched, QEvent *event)
 {
     if (watched == parentWidget() && event->type() == QEvent::Resize && !isHidden())
-        place();
+        QMetaObject::invokeMethod(this, &MessageBar::place, Qt::QueuedConnection); // after it
     if (!m_isFresh && isNextChoice(*watched, *event))
         hide();
     return QFrame::eventFilter(watched, event);
@@ -93,28 +95,70 @@ void MessageBar::hideEvent(QHideEvent *event)
     qApp->removeEventFilter(this);
 }
 
-/// Makes the bar as wide as the text needs, and as high as that width requires.
 void MessageBar::place()
 {
-    const QSize room = parentWidget()->size();
-    const QMargins margins = layout()->contentsMargins();
-    const int beside = sizeHint().width() - m_text->sizeHint().width();
-    const int asked = beside + m_text->fontMetrics().size(0, m_text->text()).width()
-        + margins.left() + margins.right();
-    const int width = std::min({asked, widest, room.width() - 2 * sideMargin});
-    const int frame = 2 * frameWidth();
-    const int height = frame
-        + std::max(layout()->heightForWidth(width - frame), layout()->minimumSize().height());
-    const int bottom = room.height() - int(linesBelow * fontMetrics().lineSpacing());
-    setGeometry((room.width() - width) / 2, std::max(0, bottom - height), width, height);
+    static_cast<QBoxLayout *>(layout())->setDirection(m_picture ? QBoxLayout::TopToBottom
+                                                                : QBoxLayout::LeftToRight);
+    if (m_picture)
+        placeBeside(m_picture());
+    else
+        placeBelow();
     raise();
+}
+
+/// As wide as the text needs, and as high as that width requires.
+QSize MessageBar::sizeWithin(int widest) const
+{
+    const QMargins margins = layout()->contentsMargins();
+    const int others = m_picture ? 0 : sizeHint().width() - m_text->sizeHint().width();
+    const int asked = others + m_text->fontMetrics().size(0, m_text->text()).width()
+        + margins.left() + margins.right() + besideMargin; // Qt breaks a line that just fits
+    const int width = std::min(asked, widest);
+    const int frame = 2 * frameWidth();
+    return {
+        width,
+        frame
+            + std::max(layout()->heightForWidth(width - frame), layout()->minimumSize().height())};
+}
+
+void MessageBar::placeBelow()
+{
+    const QSize room = parentWidget()->size();
+    const QSize size = sizeWithin(std::min(widest, room.width() - 2 * sideMargin));
+    const int bottom = room.height() - int(linesBelow * fontMetrics().lineSpacing());
+    setGeometry({{(room.width() - size.width()) / 2, std::max(0, bottom - size.height())}, size});
+}
+
+void MessageBar::placeBeside(const QRect &picture)
+{
+    const int room = parentWidget()->width();
+    const int strip = room - picture.right() - 2 * besideMargin; // at either side, without rulers
+    const bool isFree = strip >= leastBeside;
+    const QSize size = sizeWithin(isFree ? strip : std::max(leastBeside, room * 2 / 5));
+    const int left = isFree ? picture.left() - besideMargin - size.width()
+                            : room - besideMargin - size.width();
+    setGeometry({{left, besideMargin}, size});
 }
 
 QString MessageBar::text() const { return m_text->text(); }
 
-void MessageBar::tell(const QString &text) { show(Kind::Information, text); }
+void MessageBar::tell(const QString &text)
+{
+    m_picture = {};
+    show(Kind::Information, text);
+}
 
-void MessageBar::complain(const QString &text) { show(Kind::Error, text); }
+void MessageBar::complain(const QString &text)
+{
+    m_picture = {};
+    show(Kind::Error, text);
+}
+
+void MessageBar::tellBeside(const std::function<QRect()> &picture, const QString &text)
+{
+    m_picture = picture;
+    show(Kind::Information, text);
+}
 
 void MessageBar::show(Kind kind, const QString &text)
 {

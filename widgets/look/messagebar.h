@@ -3,6 +3,8 @@
 
 #include <QtWidgets>
 
+#include <functional>
+
 namespace pixelplumb {
 
 /// Shows errors and notes over the lower part of a widget without moving it. The bar stays until it
@@ -17,6 +19,9 @@ public:
     explicit MessageBar(QWidget *covered);
 
     QString text() const;
+    /// Shows a note beside the picture in the widget, which it must not cover: in the free strip at
+    /// its left, or in the upper right corner where that strip is narrow.
+    void tellBeside(const std::function<QRect()> &picture, const QString &text);
 
 public slots:
     void tell(const QString &text);
@@ -30,9 +35,13 @@ protected:
 private:
     void show(Kind kind, const QString &text);
     void place();
+    void placeBelow();
+    void placeBeside(const QRect &picture);
+    QSize sizeWithin(int widest) const;
     bool isNextChoice(const QObject &watched, const QEvent &event) const;
 
     bool m_isFresh = false; ///< shown by the event that is being delivered
+    std::function<QRect()> m_picture; ///< what a note beside it keeps free; else empty
     QLabel *m_glyph;
     QLabel *m_text;
 };

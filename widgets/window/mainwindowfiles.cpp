@@ -109,10 +109,18 @@ void MainWindow::greet()
     if (settings.value(key).toBool())
         return;
     settings.setValue(key, true);
-    m_parts.messageBar->tell(QStringList{tr("F10: the next column"), tr("F11: the next pixel"),
-                                         tr("P: draw; a click places a vertex"),
-                                         tr("V: inspect; a click picks a pixel")}
-                                 .join(u'\n'));
+    const auto picture = [canvas = m_parts.canvas] {
+        const ViewMapping &mapping = canvas->mapping();
+        const QRect frame = mapping.devicePicture();
+        return QRectF(mapping.positionOfDevice(frame.topLeft()),
+                      mapping.positionOfDevice(frame.bottomRight()))
+            .toRect();
+    };
+    m_parts.messageBar->tellBeside(
+        picture,
+        QStringList{tr("F10: the next column"), tr("F11: the next pixel"),
+                    tr("P: draw; a click places a vertex"), tr("V: inspect; a click picks a pixel")}
+            .join(u'\n'));
 }
 
 void MainWindow::recover(const UnsavedScene &left)

@@ -98,6 +98,31 @@ private slots:
         QVERIFY(!bar.isVisible());
     }
 
+    void theKeysAreToldBesideTheTriangle_data()
+    {
+        QTest::addColumn<QSize>("size");
+        QTest::newRow("1366 x 768") << QSize(1358, 728);
+        QTest::newRow("2560 x 1440 at scale 2") << QSize(1272, 680);
+        QTest::newRow("1024 x 640") << QSize(1016, 600);
+    }
+    void theKeysAreToldBesideTheTriangle()
+    {
+        QFETCH(QSize, size);
+        m_window = windowOf(size);
+        m_window->greet();
+        const Canvas &canvas = *m_window->parts().canvas;
+        const MessageBar &bar = *m_window->parts().messageBar;
+        const auto covers = [&](const QPoint &pixel) {
+            return bar.geometry().contains(canvas.positionOf(pixel).toPoint());
+        };
+        settle();
+        QVERIFY(canvas.rect().contains(bar.geometry()));
+        for (const QPoint pixel : {QPoint(4, 5), QPoint(58, 12), QPoint(26, 44), QPoint(28, 8)})
+            QVERIFY2(!covers(pixel), qPrintable(u"(%1, %2)"_s.arg(pixel.x()).arg(pixel.y())));
+        const bool isFree = canvas.positionOf(QPoint(0, 0)).x() > canvas.width() / 4.0;
+        QVERIFY(!isFree || bar.geometry().right() < canvas.positionOf(QPoint(0, 0)).x());
+    }
+
 private:
     const QTableView &table() const { return *named<QTableView>(*m_window, "columnTable"); }
 
