@@ -171,7 +171,7 @@ void CanvasView::setMapping(const ViewMapping &mapping)
         emit zoomChanged(m_mapping.zoom().number());
 }
 
-ViewFollower::ViewFollower(CanvasView &view, const CanvasMouse &mouse, const Playhead *playhead)
+ViewFollower::ViewFollower(CanvasView &view, CanvasMouse &mouse, const Playhead *playhead)
     : m_view(view)
     , m_mouse(mouse)
     , m_playhead(playhead)
@@ -187,6 +187,9 @@ void ViewFollower::follow()
     const Moment before = std::exchange(m_moment, now);
     if (now == before || now.traced != before.traced || m_mouse.isPressed())
         return;
+    if (now.position != before.position)
+        m_mouse.hoverAt(
+            std::nullopt); // the person looks at the step, not where the pointer was left
     if (const std::optional<QPoint> pixel = pixelSince(before))
         m_view.reveal(*pixel);
 }

@@ -74,7 +74,7 @@ class ViewFollower : public QObject {
     Q_OBJECT
 
 public:
-    ViewFollower(CanvasView &view, const CanvasMouse &mouse, const Playhead *playhead);
+    ViewFollower(CanvasView &view, CanvasMouse &mouse, const Playhead *playhead);
 
 private:
     /// What a person looks at.
@@ -90,7 +90,7 @@ private:
     std::optional<QPoint> pixelSince(const Moment &before) const;
 
     CanvasView &m_view;
-    const CanvasMouse &m_mouse;
+    CanvasMouse &m_mouse;
     const Playhead *m_playhead;
     Moment m_moment;
 };

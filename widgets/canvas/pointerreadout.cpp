@@ -150,19 +150,23 @@ QAccessibleInterface *makeInterface(const QString &, QObject *object)
     return canvas ? new CanvasAccessible(canvas) : nullptr;
 }
 
+/// "vertex 1 of triangle 0 at (58, 12)"
+QString vertexText(const VertexRef &ref, const SceneDocument &document)
+{
+    const QString place = coordinateNote(document.atCurrentFrame(document.vertexAt(ref)->position));
+    if (ref.primitive == VertexRef::pending)
+        return Canvas::tr("waiting vertex %1 at %2").arg(QString::number(ref.vertex), place);
+    return Canvas::tr("vertex %1 of %2 %3 at %4")
+        .arg(QString::number(ref.vertex), coreWord(nameOf(document.kindOf(ref.primitive))),
+             QString::number(ref.primitive), place);
+}
+
 /// The place of the vertex, corner or pixel that the keys move.
 QString spokenPlace(const CanvasSources &sources, const CanvasHand &hand)
 {
     const SceneDocument &document = *sources.document;
-    if (const std::optional<VertexRef> ref = document.selectedVertex()) {
-        const QString place
-            = coordinateNote(document.atCurrentFrame(document.vertexAt(*ref)->position));
-        if (ref->primitive == VertexRef::pending)
-            return Canvas::tr("waiting vertex %1 at %2").arg(QString::number(ref->vertex), place);
-        return Canvas::tr("vertex %1 of %2 %3 at %4")
-            .arg(QString::number(ref->vertex), coreWord(nameOf(document.kindOf(ref->primitive))),
-                 QString::number(ref->primitive), place);
-    }
+    if (const std::optional<VertexRef> ref = document.selectedVertex())
+        return vertexText(*ref, document);
     if (const auto image = hand.chosenCorner ? imageInView(sources) : std::nullopt)
         return Canvas::tr("image of vertex %1 at %2")
             .arg(QString::number(*hand.chosenCorner),
@@ -186,7 +190,9 @@ QString PointerReadout::text(const QPoint &pixel, const CanvasSources &sources,
 
     const QString place = u"(%1, %2)"_s.arg(pixel.x()).arg(pixel.y());
     QStringList lines;
-    if (hand.candidate && coordinateNote(*hand.candidate) != place)
+    if (hand.hovered)
+        lines += vertexText(*hand.hovered, *sources.document);
+    else if (hand.candidate && coordinateNote(*hand.candidate) != place)
         lines += PointerReadout::tr("vertex %1").arg(coordinateNote(*hand.candidate));
     if (!traced || isPreview || isBeyond)
         return (lines << place).join(u'\n');

@@ -72,7 +72,9 @@ private slots:
 
         QCOMPARE(bench.canvas.readout(),
                  u"(30, 10) %1\ntriangle 0 · %2 px from L₀₂"_s.arg(colour, distance));
-        bench.playhead.seek(0);
+        bench.playhead.seek(0); // by keys, while the pointer rests
+        QCOMPARE(bench.canvas.readout(), QString());
+        point(bench, bench.at(30, 10));
         QCOMPARE(bench.canvas.readout(),
                  u"(30, 10) #000000\nnot painted · %1 px inside L₀₂ of triangle 0"_s.arg(distance));
     }
@@ -111,6 +113,18 @@ private slots:
         point(closed, closed.at(14, 9));
         QVERIFY2(closed.canvas.readout().endsWith("triangle 0 · on L₀₂"),
                  qPrintable(closed.canvas.readout()));
+    }
+
+    void theReadoutHasTheCoordinatesOfTheVertexUnderThePointer()
+    {
+        CanvasBench bench(firstScene());
+        for (const CanvasTool tool : {CanvasTool::Draw, CanvasTool::Inspect}) {
+            bench.canvas.setTool(tool);
+            point(bench, bench.at(58, 12));
+            QVERIFY2(bench.canvas.readout().startsWith(
+                         u"vertex 1 of triangle 0 at (58, 12)\n(58, 12) #"_s),
+                     qPrintable(bench.canvas.readout()));
+        }
     }
 
     void theReadoutHasTheVertexWhereItIsNoPixel()
