@@ -4,6 +4,7 @@
 #include <QtWidgets>
 
 #include <algorithm>
+#include <utility>
 
 namespace pixelplumb {
 
@@ -31,88 +32,88 @@ struct Line {
     const char *text;
 };
 
+/// In the order of a course: triangles and what rounding does to them, lines and curves, polygons,
+/// what is in space.
 constexpr Line lines[] = {
-    {"circles", QT_TRANSLATE_NOOP("pixelplumb::Examples", "Circles and ellipses by the midpoint")},
-    {"crossing-triangles",
-     QT_TRANSLATE_NOOP("pixelplumb::Examples",
-                       "Two triangles cross: depth decides pixel by pixel")},
-    {"curves",
-     QT_TRANSLATE_NOOP("pixelplumb::Examples",
-                       "Bézier curves, halved until their pieces are straight")},
     {"default",
      QT_TRANSLATE_NOOP("pixelplumb::Examples", "The assignment: one triangle, column by column")},
-    {"even-lines",
+    {"vertical-edges",
      QT_TRANSLATE_NOOP("pixelplumb::Examples",
-                       "Lines are equally bright in all directions: strokes drawn by "
-                       "area")},
-    {"filled-curves",
+                       "Vertical and horizontal edges, where a quotient divides by zero")},
+    {"shared-edge",
      QT_TRANSLATE_NOOP("pixelplumb::Examples",
-                       "Closed paths of Bézier curves, filled along their chords")},
-    {"glass-panes",
-     QT_TRANSLATE_NOOP("pixelplumb::Examples", "Transparent triangles: the drawing order shows")},
-    {"lines",
+                       "Two triangles share an edge: which one draws its pixels under "
+                       "each fill rule")},
+    {"ties-at-tenths",
      QT_TRANSLATE_NOOP("pixelplumb::Examples",
-                       "Bresenham's line in every octant, and the course's "
-                       "own example from (20, 41) to (30, 44)")},
-    {"lit-sphere",
+                       "Samples lie exactly on an edge whose slope is not a binary "
+                       "fraction")},
+    {"sliver",
      QT_TRANSLATE_NOOP("pixelplumb::Examples",
-                       "A sphere of triangles lit by two lights: Phong shading")},
-    {"mesh",
+                       "A triangle thinner than a pixel: missing and extra pixels in "
+                       "float32")},
+    {"stagnation",
      QT_TRANSLATE_NOOP("pixelplumb::Examples",
-                       "An icosahedron from an OBJ file, with flat shading")},
+                       "Far from the origin, increments in float32 have no effect")},
     {"moving-sliver",
      QT_TRANSLATE_NOOP("pixelplumb::Examples",
                        "A moving sliver: in float32 other pixels flicker than in the "
                        "truth")},
-    {"patch",
+    {"sliver-fan",
      QT_TRANSLATE_NOOP("pixelplumb::Examples",
-                       "A free-form surface, cut into triangles as finely as needed")},
+                       "Thin triangles without gaps: sixteen samples per pixel")},
+    {"steep-line",
+     QT_TRANSLATE_NOOP("pixelplumb::Examples",
+                       "Steep lines by y = mx + b have gaps: why there are octants")},
+    {"lines",
+     QT_TRANSLATE_NOOP("pixelplumb::Examples",
+                       "Bresenham's line in every octant, and the course's "
+                       "own example from (20, 41) to (30, 44)")},
+    {"even-lines",
+     QT_TRANSLATE_NOOP("pixelplumb::Examples",
+                       "Lines are equally bright in all directions: strokes drawn by "
+                       "area")},
+    {"circles", QT_TRANSLATE_NOOP("pixelplumb::Examples", "Circles and ellipses by the midpoint")},
+    {"curves",
+     QT_TRANSLATE_NOOP("pixelplumb::Examples",
+                       "Bézier curves, halved until their pieces are straight")},
+    {"filled-curves",
+     QT_TRANSLATE_NOOP("pixelplumb::Examples",
+                       "Closed paths of Bézier curves, filled along their chords")},
     {"polygon-outline",
      QT_TRANSLATE_NOOP("pixelplumb::Examples", "The edges of polygons as Bresenham's lines")},
     {"polygon-star",
      QT_TRANSLATE_NOOP("pixelplumb::Examples",
                        "A star that crosses itself: even-odd beside non-zero")},
+    {"text",
+     QT_TRANSLATE_NOOP("pixelplumb::Examples", "Letters are polygons: outlines filled by parity")},
+    {"crossing-triangles",
+     QT_TRANSLATE_NOOP("pixelplumb::Examples",
+                       "Two triangles cross: depth decides pixel by pixel")},
+    {"glass-panes",
+     QT_TRANSLATE_NOOP("pixelplumb::Examples", "Transparent triangles: the drawing order shows")},
     {"projected-triangle",
      QT_TRANSLATE_NOOP("pixelplumb::Examples",
                        "One triangle in space, and each step that takes it to the screen")},
-    {"shared-edge",
-     QT_TRANSLATE_NOOP("pixelplumb::Examples",
-                       "Two triangles share an edge: which one draws its pixels under "
-                       "each fill rule")},
-    {"sliver",
-     QT_TRANSLATE_NOOP("pixelplumb::Examples",
-                       "A triangle thinner than a pixel: missing and extra pixels in "
-                       "float32")},
-    {"sliver-fan",
-     QT_TRANSLATE_NOOP("pixelplumb::Examples",
-                       "Thin triangles without gaps: sixteen samples per pixel")},
-    {"stagnation",
-     QT_TRANSLATE_NOOP("pixelplumb::Examples",
-                       "Far from the origin, increments in float32 have no effect")},
-    {"steep-line",
-     QT_TRANSLATE_NOOP("pixelplumb::Examples",
-                       "Steep lines by y = mx + b have gaps: why there are octants")},
-    {"text",
-     QT_TRANSLATE_NOOP("pixelplumb::Examples", "Letters are polygons: outlines filled by parity")},
     {"textured-board",
      QT_TRANSLATE_NOOP("pixelplumb::Examples",
                        "A chequered plane: what perspective correction corrects")},
-    {"ties-at-tenths",
+    {"mesh",
      QT_TRANSLATE_NOOP("pixelplumb::Examples",
-                       "Samples lie exactly on an edge whose slope is not a binary "
-                       "fraction")},
-    {"vertical-edges",
+                       "An icosahedron from an OBJ file, with flat shading")},
+    {"lit-sphere",
      QT_TRANSLATE_NOOP("pixelplumb::Examples",
-                       "Vertical and horizontal edges, where a quotient divides by zero")},
+                       "A sphere of triangles lit by two lights: Phong shading")},
+    {"patch",
+     QT_TRANSLATE_NOOP("pixelplumb::Examples",
+                       "A free-form surface, cut into triangles as finely as needed")},
 };
 
-QString lineOf(const QString &name)
+/// Those without a line come last.
+const Line *lineOf(const QString &name)
 {
-    const auto *line = std::ranges::find_if(
+    return std::ranges::find_if(
         lines, [&name](const Line &each) { return name == QLatin1String(each.name); });
-    return line == std::ranges::end(lines)
-        ? QString()
-        : QCoreApplication::translate("pixelplumb::Examples", line->text);
 }
 
 } // namespace
@@ -135,11 +136,18 @@ std::vector<Example> examples()
     const QList<QDir> folders = exampleFolders();
     if (folders.isEmpty())
         return all;
-    for (const QString &file : folders.front().entryList({u"*.json"_s}, QDir::Files)) {
-        const QString name = QFileInfo(file).completeBaseName();
+    QStringList names;
+    for (const QString &file : folders.front().entryList({u"*.json"_s}, QDir::Files))
+        names += QFileInfo(file).completeBaseName();
+    std::ranges::stable_sort(names, {}, lineOf);
+    for (const QString &name : std::as_const(names)) {
         QString title = QString(name).replace(u'-', u' ');
         title[0] = title[0].toUpper();
-        all.push_back({folders.front().filePath(file), title, lineOf(name)});
+        const Line *line = lineOf(name);
+        all.push_back({folders.front().filePath(name + u".json"_s), title,
+                       line == std::ranges::end(lines)
+                           ? QString()
+                           : QCoreApplication::translate("pixelplumb::Examples", line->text)});
     }
     return all;
 }

@@ -18,7 +18,8 @@ struct Example {
     QString line; ///< what there is to see; empty where the example has no description
 };
 
-/// The example scenes, by name; none where their folder is not found.
+/// The example scenes, the assignment's triangle first, in the order of a course; none where their
+/// folder is not found.
 std::vector<Example> examples();
 
 } // namespace pixelplumb

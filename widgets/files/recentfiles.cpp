@@ -3,6 +3,7 @@
 
 #include "core/scene/files/fileaccess.h"
 #include "core/scene/scenefile.h"
+#include "widgets/look/menuaction.h"
 #include "widgets/look/parts.h"
 #include "widgets/look/typesetting.h"
 
@@ -49,6 +50,8 @@ QMenu *RecentFiles::createMenu(QWidget *parent)
     menu->setToolTipsVisible(true);
     connect(menu, &QMenu::aboutToShow, this, [this, menu] { fill(menu); });
     fill(menu);
+    keepUpdated(this, &RecentFiles::changed, menu,
+                [this, menu] { menu->menuAction()->setEnabled(!m_paths.isEmpty()); });
     return menu;
 }
 
@@ -67,7 +70,11 @@ void RecentFiles::clear()
     store();
 }
 
-void RecentFiles::store() const { QSettings().setValue(QLatin1String(key), m_paths); }
+void RecentFiles::store()
+{
+    QSettings().setValue(QLatin1String(key), m_paths);
+    emit changed();
+}
 
 void RecentFiles::fill(QMenu *menu)
 {
@@ -80,9 +87,7 @@ void RecentFiles::fill(QMenu *menu)
         connect(action, &QAction::triggered, this, [this, path] { emit chosen(path); });
     }
     menu->addSeparator();
-    QAction *forget = menu->addAction(tr("&Clear the list"));
-    forget->setEnabled(!m_paths.isEmpty());
-    connect(forget, &QAction::triggered, this, &RecentFiles::clear);
+    menu->addAction(tr("&Clear the list"), this, &RecentFiles::clear);
 }
 
 std::size_t positionOf(const OpeningPlace &place, const ScanTrace &trace)

@@ -22,7 +22,8 @@ public:
     explicit RecentFiles(QObject *parent = nullptr);
 
     QStringList paths() const { return m_paths; }
-    /// The menu refills whenever it is opened; files that are gone are grey.
+    /// The menu refills whenever it is opened; files that are gone are grey. It is grey itself
+    /// while there are none.
     QMenu *createMenu(QWidget *parent);
 
 public slots:
@@ -31,9 +32,10 @@ public slots:
 
 signals:
     void chosen(const QString &path);
+    void changed();
 
 private:
-    void store() const;
+    void store();
     void fill(QMenu *menu);
 
     QStringList m_paths;

@@ -9,6 +9,7 @@
 #include "tests/support/window/windowsteps.h"
 #include "widgets/canvas/canvas.h"
 #include "widgets/files/examplefolder.h"
+#include "widgets/files/recentfiles.h"
 #include "widgets/files/scenefiles.h"
 #include "widgets/look/messagebar.h"
 #include "widgets/model/playhead.h"
@@ -268,6 +269,17 @@ private slots:
         QVERIFY(isSeenWhole());
     }
 
+    void openRecentIsGreyUntilAFileWasOpened()
+    {
+        const auto window = openedWindow();
+        const QAction *menu = named<QMenu>(*window, "recentMenu")->menuAction();
+        QVERIFY(!menu->isEnabled());
+        window->parts().recent->add(u"/tmp/triangle.json"_s);
+        QVERIFY(menu->isEnabled());
+        window->parts().recent->clear();
+        QVERIFY(!menu->isEnabled());
+    }
+
     void everyExampleHasALineAndAPictureAndOpens()
     {
         const auto window = openedWindow();
@@ -276,6 +288,7 @@ private slots:
         auto *list = named<QListWidget>(*dialog, "examplesList");
         const std::vector<Example> all = examples();
         QVERIFY(all.size() > 20);
+        QCOMPARE(all.front().title, "Default"); // the assignment's
         for (const Example &example : all)
             QVERIFY2(!example.line.isEmpty(), qPrintable(example.path));
         QVERIFY(list->count() > int(all.size()) + 10); // the families of hard cases
