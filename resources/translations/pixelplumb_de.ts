@@ -4220,14 +4220,6 @@
 <context>
     <name>pixelplumb::MainWindow</name>
     <message>
-        <source>Method</source>
-        <translation>Verfahren</translation>
-    </message>
-    <message>
-        <source>View</source>
-        <translation>Ansicht</translation>
-    </message>
-    <message>
         <source>Next vertex</source>
         <translation>Farbe</translation>
     </message>
@@ -4369,6 +4361,10 @@
     <message>
         <source>Proofs</source>
         <translation>Beweise (englisch)</translation>
+    </message>
+    <message>
+        <source>Method and view</source>
+        <translation>Verfahren und Ansicht</translation>
     </message>
 </context>
 <context>

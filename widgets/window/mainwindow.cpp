@@ -142,10 +142,10 @@ void MainWindow::makeToolBars()
         bar->setMovable(false);
         return bar;
     };
-    QToolBar *methods = addBar("methodToolBar", tr("Method"));
-    methods->addWidget(new MethodBar(m_parts.document));
-
-    QToolBar *view = addBar("viewToolBar", tr("View"));
+    // In one tool bar, so that the method's box gets what the rest leaves.
+    QToolBar *view = addBar("viewToolBar", tr("Method and view"));
+    view->addWidget(new MethodBar(m_parts.document));
+    view->addSeparator();
     view->addActions({m_viewMenu->grid(), m_viewMenu->truth(), m_viewMenu->differences()});
     view->addSeparator();
     auto *label = new QLabel(tr("Next vertex"));

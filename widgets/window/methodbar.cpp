@@ -5,8 +5,9 @@
 #include "core/scan/choicenames.h"
 #include "widgets/canvas/canvas.h"
 #include "widgets/look/corewords.h"
-#include "widgets/look/labels.h"
 #include "widgets/look/menuaction.h"
+#include "widgets/look/methodbox.h"
+#include "widgets/look/parts.h"
 #include "widgets/look/typesetting.h"
 #include "widgets/model/runnotes.h"
 #include "widgets/model/scenedocument.h"
@@ -15,8 +16,8 @@ namespace pixelplumb {
 
 namespace {
 
-/// Characters of a method's title that fit into the bar; longer titles are elided in the middle, so
-/// that the bar and its switches fit into 1024 pixels. The list shows whole titles.
+/// Characters of a method's title that fit into the bar in a window of 1024 pixels; longer titles
+/// are elided in the middle there. The list shows whole titles.
 constexpr int shownTitleLength = 15;
 
 QString methodNote(const QString &text)
@@ -115,66 +116,42 @@ MethodBar::MethodBar(SceneDocument *document, QWidget *parent)
     : QWidget(parent)
     , m_document(document)
     , m_layout(new QHBoxLayout(this))
+    , m_method(new MethodBox(this))
 {
     setObjectName(u"methodBar"_s);
     m_layout->setContentsMargins(8, 0, 0, 0);
     m_layout->setSpacing(6);
-    m_method = makeBox(u"methodBox"_s, tr("Method"), {});
     m_layout->addWidget(m_method); // without a label: a method's title is clear by itself
-    m_method->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+    named(m_method, "methodBox", tr("Method"));
     m_method->setMinimumContentsLength(shownTitleLength);
+    connect(m_method, &QComboBox::activated, this, [this](int row) {
+        m_document->setMethod(m_method->itemData(row).toString().toStdString());
+    });
     m_arithmetic = addSetting(DrawingSetting::Arithmetic, u"arithmeticBox"_s, tr("Arithmetic"),
                               tr("What the increments are computed in"));
     m_fillRule = addSetting(DrawingSetting::FillRule, u"fillRuleBox"_s, tr("Fill rule"),
                             tr("Which side owns a sample that lies exactly on an edge"));
     m_rounding = addSetting(DrawingSetting::Rounding, u"roundingBox"_s, tr("Rounding"),
                             tr("How a colour level becomes a byte"));
-    addMethods();
     addSettings();
     connect(document, &SceneDocument::sceneChanged, this, &MethodBar::followScene);
     followScene();
 }
 
-QComboBox *MethodBar::makeBox(const QString &name, const QString &label, const QString &toolTip)
+MethodBar::Setting MethodBar::addSetting(DrawingSetting setting, const QString &name,
+                                         const QString &label, const QString &meaning)
 {
     auto *box = new ElidingBox(this);
     box->setObjectName(name);
     box->setAccessibleName(label);
-    box->setToolTip(toolTip);
+    box->setToolTip(meaning);
     box->setSizeAdjustPolicy(QComboBox::AdjustToContents);
-    return box;
-}
-
-MethodBar::Setting MethodBar::addSetting(DrawingSetting setting, const QString &name,
-                                         const QString &label, const QString &meaning)
-{
-    QComboBox *box = makeBox(name, label, meaning);
     auto *text = new QLabel(label, this);
     text->setBuddy(box);
     m_layout->addSpacing(4);
     m_layout->addWidget(text);
     m_layout->addWidget(box);
     return {setting, box, meaning};
-}
-
-void MethodBar::addMethods()
-{
-    std::optional<MethodFamily> family;
-    for (const Method &method : methods()) {
-        if (family && family != method.family)
-            m_method->insertSeparator(m_method->count());
-        family = method.family;
-        m_method->addItem(methodTitle(method), method.id);
-        m_method->setItemData(m_method->count() - 1,
-                              coreWord(titleOf(method.family)) + u'\n' + methodSummary(method)
-                                  + u'\n' + method.source,
-                              Qt::ToolTipRole);
-    }
-    m_method->setMaxVisibleItems(40);
-    m_method->view()->setMinimumWidth(m_method->view()->sizeHintForColumn(0));
-    connect(m_method, &QComboBox::activated, this, [this](int row) {
-        m_document->setMethod(m_method->itemData(row).toString().toStdString());
-    });
 }
 
 void MethodBar::addSettings()

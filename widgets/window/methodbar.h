@@ -8,6 +8,7 @@
 
 namespace pixelplumb {
 
+class MethodBox;
 class SceneDocument;
 
 /// How the scene is drawn: the method and its arithmetic, fill rule and rounding. The choices
@@ -27,16 +28,14 @@ public:
     explicit MethodBar(SceneDocument *document, QWidget *parent = nullptr);
 
 private:
-    QComboBox *makeBox(const QString &name, const QString &label, const QString &toolTip);
     Setting addSetting(DrawingSetting setting, const QString &name, const QString &label,
                        const QString &meaning);
-    void addMethods();
     void addSettings();
     void followScene();
 
     SceneDocument *m_document;
     QBoxLayout *m_layout;
-    QComboBox *m_method = nullptr;
+    MethodBox *m_method;
     Setting m_arithmetic;
     Setting m_fillRule;
     Setting m_rounding;

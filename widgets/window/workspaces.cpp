@@ -14,7 +14,7 @@ constexpr auto currentKey = "workspaces/current";
 
 /// The version changes with the number of panels, so that an old layout is not forced on them;
 /// raise the first number when tool bars change.
-int layoutVersion() { return 4 * 100 + int(panels().size()); }
+int layoutVersion() { return 5 * 100 + int(panels().size()); }
 
 /// The settings key of a workspace's layout.
 QString keyOf(Workspace workspace) { return u"workspaces/layout%1"_s.arg(int(workspace)); }

@@ -109,9 +109,40 @@ private slots:
         }
     }
 
-    void aTitleThatIsCutIsToldFromAllOthersAndIsWholeInTheToolTip()
+    void methodsStandUnderTheHeadingsOfTheirFamilies()
     {
         const auto window = openedWindow(Scene());
+        for (const char *name : {"methodBox", "compareMethod1"}) {
+            const auto *box = named<QComboBox>(*window, name);
+            QString heading;
+            std::size_t found = 0;
+            for (int row = 0; row < box->count(); ++row) {
+                const Method *method = methodNamed(box->itemData(row).toString());
+                const bool isChoice = box->model()->index(row, 0).flags() & Qt::ItemIsEnabled;
+                QCOMPARE(isChoice, method || box->itemText(row) == u"Truth"_s);
+                if (!isChoice)
+                    heading = box->itemText(row);
+                if (method)
+                    QCOMPARE(heading, titleOf(method->family));
+                found += std::size_t(method != nullptr);
+            }
+            QCOMPARE(found, methods().size());
+        }
+    }
+
+    void aTitleIsWholeWhereThereIsRoom()
+    {
+        const auto window = windowOf(QSize(1358, 728));
+        const auto *box = static_cast<const ElidingBox *>(named<QComboBox>(*window, "methodBox"));
+        for (const Method &method : methods()) {
+            window->parts().document->setMethod(method.id.toStdString());
+            QCOMPARE(box->shownText(), method.title);
+        }
+    }
+
+    void aTitleThatIsCutIsToldFromAllOthersAndIsWholeInTheToolTip()
+    {
+        const auto window = windowOf(QSize(1016, 600));
         const auto *box = static_cast<const ElidingBox *>(named<QComboBox>(*window, "methodBox"));
         int cut = 0;
         QStringList seen;

@@ -5,7 +5,7 @@
 #include "core/scan/choicenames.h"
 #include "widgets/look/corewords.h"
 #include "widgets/look/framepainter.h"
-#include "widgets/look/labels.h"
+#include "widgets/look/methodbox.h"
 #include "widgets/look/parts.h"
 #include "widgets/model/playhead.h"
 #include "widgets/model/tracenavigation.h"
@@ -17,7 +17,9 @@ namespace pixelplumb {
 
 namespace {
 
-constexpr int leastBoxWidth = 48; ///< logical pixels
+// Logical pixels.
+constexpr int leastBoxWidth = 48;
+constexpr int boxMargins = 36; ///< beside a box's text, with its arrow
 
 /// A finished picture's pixels on the background.
 QImage onBackground(const WrittenFrame &written, const FrameSpec &spec)
@@ -54,13 +56,12 @@ ComparePane::ComparePane(int number, CompareLink *link, Playhead *playhead, QWid
     , m_number(number)
     , m_playhead(playhead)
 {
-    m_method = addBox(u"Method"_s, tr("Method of pane %1").arg(number));
-    m_arithmetic = addBox(u"Arithmetic"_s, tr("Arithmetic of pane %1").arg(number));
-    m_fillRule = addBox(u"FillRule"_s, tr("Fill rule of pane %1").arg(number));
-    m_method->addItem(tr("Truth"), QString());
-    for (const Method &method : methods())
-        m_method->addItem(methodTitle(method), method.id);
-    m_method->setMaxVisibleItems(40);
+    m_method = addBox(new MethodBox(this), u"Method"_s, tr("Method of pane %1").arg(number));
+    m_method->insertItem(0, tr("Truth"), QString());
+    m_arithmetic
+        = addBox(new ElidingBox(this), u"Arithmetic"_s, tr("Arithmetic of pane %1").arg(number));
+    m_fillRule
+        = addBox(new ElidingBox(this), u"FillRule"_s, tr("Fill rule of pane %1").arg(number));
     m_result = new QLabel(this);
     m_result->setWordWrap(true);
     m_view = new View(link, playhead, this);
@@ -91,9 +92,8 @@ ComparePane::ComparePane(int number, CompareLink *link, Playhead *playhead, QWid
     offerSettings({});
 }
 
-QComboBox *ComparePane::addBox(const QString &name, const QString &label)
+QComboBox *ComparePane::addBox(QComboBox *box, const QString &name, const QString &label)
 {
-    auto *box = new ElidingBox(this);
     box->setObjectName(u"compare%1%2"_s.arg(name, QString::number(m_number)));
     box->setAccessibleName(label);
     box->setToolTip(label);
@@ -149,7 +149,7 @@ void ComparePane::offerSettings(const ScanSettings &wanted)
 bool ComparePane::fitsSettingsInARow() const
 {
     const auto widthOf = [this](const QComboBox *box) {
-        return fontMetrics().horizontalAdvance(box->currentText()) + leastBoxWidth;
+        return fontMetrics().horizontalAdvance(box->currentText()) + boxMargins;
     };
     return 2 * std::max(widthOf(m_arithmetic), widthOf(m_fillRule)) + m_settings->spacing()
         <= width();

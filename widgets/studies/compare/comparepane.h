@@ -46,7 +46,7 @@ signals:
 private:
     class View;
 
-    QComboBox *addBox(const QString &name, const QString &label);
+    QComboBox *addBox(QComboBox *box, const QString &name, const QString &label);
     void offerSettings(const ScanSettings &wanted);
     void tellResult();
     ContenderTally tallyNow();
