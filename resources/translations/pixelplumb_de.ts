@@ -1922,10 +1922,6 @@
         <translation>Fortschritt des Vergleichs</translation>
     </message>
     <message>
-        <source>Finished pictures</source>
-        <translation>Fertige Bilder</translation>
-    </message>
-    <message>
         <source>all agree</source>
         <translation>alle einig</translation>
     </message>
@@ -1943,6 +1939,14 @@
     <message>
         <source>defect %1</source>
         <translation>Defekt %1</translation>
+    </message>
+    <message>
+        <source>Finished</source>
+        <translation>Fertig</translation>
+    </message>
+    <message>
+        <source>Where the finished pictures agree</source>
+        <translation>Wo die fertigen Bilder übereinstimmen</translation>
     </message>
 </context>
 <context>

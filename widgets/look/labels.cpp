@@ -9,8 +9,6 @@ using namespace Qt::StringLiterals;
 
 namespace {
 
-constexpr int leastLines = 2;
-
 constexpr qsizetype fewLetters = 3; ///< with an ellipsis, so few letters say less than without
 
 } // namespace
@@ -38,41 +36,6 @@ void ElidedLabel::paintEvent(QPaintEvent *)
     QPainter painter(this);
     painter.setPen(palette().color(foregroundRole()));
     painter.drawText(contentsRect(), int(alignment()), shownText());
-}
-
-ScrolledLabel::ScrolledLabel(const QString &name, const QString &accessibleName, QWidget *parent)
-    : QScrollArea(parent)
-    , m_label(new QLabel)
-{
-    m_label->setObjectName(name);
-    m_label->setAccessibleName(accessibleName);
-    m_label->setWordWrap(true);
-    m_label->setAlignment(Qt::AlignTop | Qt::AlignLeft);
-    m_label->setTextInteractionFlags(Qt::TextSelectableByMouse);
-    setFrameShape(QFrame::NoFrame);
-    setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-    setWidgetResizable(true);
-    setAccessibleName(accessibleName);
-    setWidget(m_label);
-}
-
-void ScrolledLabel::setText(const QString &text)
-{
-    m_label->setText(text);
-    fit();
-}
-
-void ScrolledLabel::resizeEvent(QResizeEvent *event)
-{
-    QScrollArea::resizeEvent(event);
-    fit();
-}
-
-void ScrolledLabel::fit()
-{
-    const int needed = m_label->heightForWidth(viewport()->width());
-    setMinimumHeight(std::min(needed, leastLines * fontMetrics().lineSpacing()));
-    setMaximumHeight(needed);
 }
 
 QString ElidingBox::shownText() const

@@ -23,26 +23,6 @@ protected:
     void paintEvent(QPaintEvent *event) override;
 };
 
-/// A text that wraps to as many lines as it needs; a small window, whose height it must not
-/// increase, shows two and scrolls the rest. It can be selected.
-class ScrolledLabel : public QScrollArea {
-    Q_OBJECT
-
-public:
-    /// Both names are also the label's own.
-    ScrolledLabel(const QString &name, const QString &accessibleName, QWidget *parent = nullptr);
-
-    void setText(const QString &text);
-
-protected:
-    void resizeEvent(QResizeEvent *event) override;
-
-private:
-    void fit();
-
-    QLabel *m_label;
-};
-
 /// A combo box that elides the middle of a text too long for it, where Qt's own cuts through a
 /// letter, so that titles with the same beginning differ.
 class ElidingBox : public QComboBox {

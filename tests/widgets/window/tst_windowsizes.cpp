@@ -361,8 +361,16 @@ private slots:
             QVERIFY2(label->height() >= label->heightForWidth(label->width()),
                      qPrintable(label->text()));
         }
+        // Each pixel is two of the screen's, at least.
         for (const ComparePane *pane : compare->panes())
-            QVERIFY(pane->view()->height() >= 40);
+            QVERIFY2(pane->view()->mapping().zoom().devicePixels >= 2,
+                     qPrintable(QString::number(pane->view()->height())));
+        Playhead &playhead = *window->parts().playhead;
+        playhead.pick({58, 12}); // which float64 loses
+        settle();
+        const auto *reason = named<QLabel>(*compare, "compareReason");
+        QVERIFY2(reason->text().contains(u"instead of"_s), qPrintable(reason->text()));
+        QVERIFY2(isInSight(reason) || size.height() < 640, qPrintable(reason->text()));
     }
 
     void aPanelThatIsClosedGivesItsRoomBack_data() { addSizes(); }

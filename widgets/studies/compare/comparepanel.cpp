@@ -3,7 +3,6 @@
 
 #include "core/lab/study/scenecost.h"
 #include "core/runs/scenerun.h"
-#include "widgets/look/labels.h"
 #include "widgets/look/parts.h"
 #include "widgets/look/typesetting.h"
 #include "widgets/model/playhead.h"
@@ -14,6 +13,18 @@
 #include "widgets/studies/compare/compareview.h"
 
 namespace pixelplumb {
+
+namespace {
+
+// Shares of the width: a pane's; those of the map and the reason, side by side or not.
+constexpr int paneShare = 8;
+constexpr int besideShare = 18;
+constexpr int stackedShare = 11;
+
+constexpr int besideWidth = 800; ///< logical pixels, of the panel with the two side by side
+constexpr int leastReason = 2; ///< lines
+
+} // namespace
 
 ComparePanel::ComparePanel(Playhead *playhead, QWidget *parent)
     : StudyPanel("compare", {}, parent)
@@ -34,9 +45,20 @@ ComparePanel::ComparePanel(Playhead *playhead, QWidget *parent)
     addControls(map);
     map->addWidget(m_agreement, 1);
     map->addWidget(m_legend);
-    m_row->addLayout(map, 1);
-    m_reason = new ScrolledLabel(u"compareReason"_s, tr("Why the picked pixel differs"), this);
-    layout->addWidget(m_reason);
+    m_reason = readingLabel("compareReason", tr("Why the picked pixel differs"), this);
+    m_reason->setAlignment(Qt::AlignTop | Qt::AlignLeft);
+    auto *reason = columnScroll(this);
+    reason->setFocusPolicy(Qt::NoFocus);
+    reason->setWidget(m_reason);
+    reason->setMinimumHeight(leastReason * fontMetrics().lineSpacing());
+    // Not below the pictures, which need the height.
+    m_mapAndReason = withParts(new QBoxLayout(QBoxLayout::LeftToRight), {{map, 4}, {reason, 5}}, 8);
+    m_row->addLayout(m_mapAndReason, besideShare);
+    onEvents(this, {QEvent::Resize}, [this] {
+        const bool isBeside = width() >= besideWidth;
+        m_mapAndReason->setDirection(isBeside ? QBoxLayout::LeftToRight : QBoxLayout::TopToBottom);
+        m_row->setStretchFactor(m_mapAndReason, isBeside ? besideShare : stackedShare);
+    });
 
     connect(playhead, &Playhead::tracedChanged, this, &ComparePanel::compareAnew);
     connect(playhead, &Playhead::pickedPixelChanged, this, &ComparePanel::tellPixel);
@@ -53,9 +75,9 @@ void ComparePanel::addControls(QBoxLayout *layout)
         = namedButton("compareFit", tr("Fit"), tr("Show the whole frame in every pane"), this);
     auto *progress = new JobBar(m_job, u"compare"_s, tr("Progress of the comparison"), 64, this);
     connect(&m_job, &Job::started, progress, &QWidget::hide); // for a moment it would flicker
-    auto *row = withParts(
-        new QHBoxLayout,
-        {new QLabel(tr("Finished pictures"), this), Room(), m_fewer, m_more, fit, progress}, 4);
+    auto *finished = new QLabel(tr("Finished"), this);
+    finished->setToolTip(tr("Where the finished pictures agree"));
+    auto *row = withParts(new QHBoxLayout, {finished, Room(), m_fewer, m_more, fit, progress}, 4);
     layout->addLayout(row);
     connect(m_more, &QToolButton::clicked, this, [this] {
         const Contender last = m_panes.back()->contender();
@@ -74,7 +96,7 @@ void ComparePanel::addControls(QBoxLayout *layout)
 void ComparePanel::addPane()
 {
     auto *pane = new ComparePane(int(m_panes.size()) + 1, m_link, m_playhead, this);
-    m_row->insertWidget(int(m_panes.size()), pane, 1);
+    m_row->insertWidget(int(m_panes.size()), pane, paneShare);
     m_panes.push_back(pane);
     connect(pane, &ComparePane::contenderChanged, this, &ComparePanel::compareAnew);
     connect(pane, &ComparePane::roomChanged, this, &ComparePanel::alignSettings);

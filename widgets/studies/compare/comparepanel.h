@@ -12,11 +12,10 @@ class AgreementView;
 class CompareLink;
 class ComparePane;
 class Playhead;
-class ScrolledLabel;
 
 /// Two to four contenders draw the playhead's scene side by side, each at the playhead's place,
-/// with one zoom; beside them the map of where they agree, and below the reason for the picked
-/// pixel in words. Draws in a worker thread, and only while visible.
+/// with one zoom; beside them the map of where they agree, and the reason for the picked pixel in
+/// words. Draws in a worker thread, and only while visible.
 class ComparePanel : public StudyPanel {
     Q_OBJECT
 
@@ -54,9 +53,10 @@ private:
     CompareLink *m_link;
     std::vector<ComparePane *> m_panes;
     QBoxLayout *m_row = nullptr;
+    QBoxLayout *m_mapAndReason = nullptr;
     AgreementView *m_agreement = nullptr;
     QLabel *m_legend = nullptr;
-    ScrolledLabel *m_reason = nullptr;
+    QLabel *m_reason = nullptr;
     QToolButton *m_more = nullptr;
     QToolButton *m_fewer = nullptr;
     bool m_isChosen = false; ///< the panes have contenders

@@ -71,6 +71,8 @@ public:
 
     void setContest(const std::shared_ptr<const Contest> &contest); ///< null: none
 
+    QSize sizeHint() const override { return minimumSizeHint(); } // the words below come first
+
 protected:
     void paintSigns(QPainter &painter, FramePainter &frame, const ViewMapping &mapping) override;
 
