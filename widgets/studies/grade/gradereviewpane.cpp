@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/studies/grade/gradereviewpane.h"
 
-#include "widgets/look/labels.h"
 #include "widgets/look/parts.h"
 #include "widgets/studies/grade/gradebook.h"
 #include "widgets/studies/grade/openings.h"
@@ -20,12 +19,12 @@ GradeReviewPane::GradeReviewPane(Gradebook *book, QWidget *parent)
         = explained(new QComboBox(this), "gradingScene", tr("The scene whose picture is shown"));
     m_scene->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
     m_scene->setMinimumContentsLength(4);
-    m_causes = explained(new ElidedLabel(this), "gradingCauses",
+    m_causes = explained(new QLabel(this), "gradingCauses",
                          tr("What explains the pictures, for you, not for the student"));
     m_causes->setFont(bold(m_causes->font()));
     m_sentences = explained(new QLabel(this), "gradingSentences", tr("What the student is told"));
     m_done = explained(new QLabel(this), "gradingDone", tr("What was done, for you"));
-    for (QLabel *each : {m_sentences, m_done}) {
+    for (QLabel *each : {m_causes, m_sentences, m_done}) {
         each->setWordWrap(true);
         each->setAlignment(Qt::AlignTop);
         each->setTextInteractionFlags(Qt::TextSelectableByMouse);
@@ -40,7 +39,7 @@ GradeReviewPane::GradeReviewPane(Gradebook *book, QWidget *parent)
     told->setFocusPolicy(Qt::NoFocus);
     told->setMinimumHeight(2 * line);
     auto *page = new QWidget(told);
-    withParts(new QVBoxLayout(page), {m_sentences, {m_done, 1}}, 4, 0);
+    withParts(new QVBoxLayout(page), {m_causes, m_sentences, {m_done, 1}}, 4, 0);
     told->setWidget(page);
     m_comment->installEventFilter(this);
     m_accept = namedButton("gradingAccept", tr("Accept (A)"),
@@ -67,8 +66,7 @@ GradeReviewPane::GradeReviewPane(Gradebook *book, QWidget *parent)
     row->addWidget(m_accept);
     row->addWidget(m_forCluster);
     column->addLayout(row);
-    auto *texts = withParts(new QVBoxLayout, {m_causes, {told, 1}}, 0);
-    column->addLayout(texts, 1);
+    column->addWidget(told, 2);
     column->addLayout(
         withParts(new QHBoxLayout, {new QLabel(tr("Points"), this), m_points, {m_reason, 1}}, 4));
     column->addWidget(m_comment, 1);
@@ -197,8 +195,7 @@ void GradeReviewPane::showCauses()
     const bool hasCause = submission
         && (submission->verdict != GradeVerdict::Right || !submission->lostInvariants().isEmpty());
     m_causes->setVisible(hasCause);
-    m_causes->setWholeText(hasCause ? m_book->clusters()[m_book->clusterOf(*m_shown)].title
-                                    : QString());
+    m_causes->setText(hasCause ? m_book->clusters()[m_book->clusterOf(*m_shown)].title : QString());
     const bool isExplained = hasCause && submission->isExplained();
     m_done->setText(isExplained ? submission->candidates.front().forAssistant.join(u' ')
                                 : QString());

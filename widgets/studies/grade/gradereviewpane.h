@@ -7,7 +7,6 @@
 
 namespace pixelplumb {
 
-class ElidedLabel;
 class Gradebook;
 struct GradedPicture;
 
@@ -49,7 +48,7 @@ private:
     Gradebook *m_book;
     std::optional<std::size_t> m_shown;
     QComboBox *m_scene = nullptr;
-    ElidedLabel *m_causes = nullptr;
+    QLabel *m_causes = nullptr;
     QLabel *m_sentences = nullptr;
     QLabel *m_done = nullptr;
     QPlainTextEdit *m_comment = nullptr;

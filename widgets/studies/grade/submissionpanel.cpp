@@ -16,7 +16,6 @@ namespace pixelplumb {
 namespace {
 
 // Logical pixels.
-constexpr int besideWidth = 320; ///< of a picture beside another
 constexpr int leastPicture = 72; ///< its height
 
 } // namespace
@@ -115,16 +114,18 @@ void SubmissionPanel::addPictures(QBoxLayout *layout)
     connect(m_next, &QToolButton::clicked, this, &SubmissionPanel::pickNext);
 }
 
-/// Makes the pictures as large as the panel's width lets them be: side by side only where each is
-/// wide, and as high as the frame's shape asks, so that one of them fits into the panel.
+/// Makes the pictures as large as the panel lets them be, as high as the frame's shape asks: one
+/// above the other where they then take little more than half of its height, else side by side.
 void SubmissionPanel::fitPictures()
 {
     const FrameSpec &frame = m_link->frame();
     const int room = m_content->width() - 16; // between the margins
-    const bool isWide = room >= 2 * besideWidth;
-    m_pair->setDirection(isWide ? QBoxLayout::LeftToRight : QBoxLayout::TopToBottom);
-    const int width = isWide ? room / 2 : room;
-    const int asked = int(std::int64_t(width) * frame.height / std::max(1, frame.width));
+    const auto heightAt = [&frame](int width) {
+        return int(std::int64_t(width) * frame.height / std::max(1, frame.width));
+    };
+    const bool isBeside = 2 * heightAt(room) > height() * 3 / 5;
+    m_pair->setDirection(isBeside ? QBoxLayout::LeftToRight : QBoxLayout::TopToBottom);
+    const int asked = heightAt(isBeside ? room / 2 : room);
     const int most = std::max(leastPicture, height() * 2 / 3);
     for (SubmissionView *view : {m_found, m_expected})
         view->setMinimumHeight(std::clamp(asked, leastPicture, most));
