@@ -35,7 +35,6 @@ std::array<QPointF, 8> cornersFor(const LabelledDot &dot)
 
 constexpr double lineMargin = 2; ///< logical pixels between a label and a line
 constexpr double tickLength = 6; ///< of an axis, inwards
-constexpr float seenThrough = 0.7F; ///< opacity of a label over a line that it must cross
 
 } // namespace
 
@@ -157,7 +156,6 @@ void ParetoPlot::addLabels()
              isSilent ? QSizeF() : metrics.size(Qt::TextSingleLine, pointLabel(dot->point))});
     }
     const auto places = placeLabels(labelled, labelArea());
-    const QColor behind = translucent(palette().color(QPalette::Base), seenThrough);
     for (std::size_t i = 0; i < places.size(); ++i) {
         if (!places[i])
             continue;
@@ -165,7 +163,7 @@ void ParetoPlot::addLabels()
         label->setText(pointLabel(dots[i]->point));
         label->setFont(smallFont());
         label->setColor(arithmeticColour(arithmeticOf(dots[i]->point), palette()));
-        label->setBrush(QBrush(behind));
+        label->setBrush(palette().color(QPalette::Base)); // no line goes through it
         label->setPadding({});
         label->setPositionAlignment(Qt::AlignLeft | Qt::AlignTop);
         label->position->setType(QCPItemPosition::ptAbsolute);

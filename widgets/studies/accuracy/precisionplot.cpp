@@ -224,6 +224,9 @@ void PrecisionPlot::addFirstWrong(const BoundErrors &errors)
     label->setText(signGlyph(Sign::FirstDifference) + u" %1"_s.arg(wrong.place.coordinate));
     label->setFont(font());
     label->setColor(colour);
+    label->setBrush(palette().color(QPalette::Base)); // no line goes through it
+    label->setLayer(u"overlay"_s);
+    mark->setLayer(u"overlay"_s);
     label->setPadding(QMargins(12, 0, 12, 0));
     // On the side that the plot continues, where the legend does not cover it.
     const double place = double(wrong.place.coordinate);
@@ -250,6 +253,7 @@ void PrecisionPlot::addFences()
         label->setFont(font());
         label->setColor(palette().color(QPalette::Text));
         label->setBrush(palette().color(QPalette::Base));
+        label->setLayer(u"overlay"_s);
         label->setClipToAxisRect(false);
         label->setPositionAlignment(Qt::AlignRight | Qt::AlignVCenter);
         label->position->setTypeX(QCPItemPosition::ptAxisRectRatio);
