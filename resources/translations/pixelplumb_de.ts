@@ -1331,6 +1331,58 @@
         <source>the first B</source>
         <translation>das erste B</translation>
     </message>
+    <message>
+        <source>the triangle has vertex colours that differ</source>
+        <translation>die Eckpunkte des Dreiecks haben verschiedene Farben</translation>
+    </message>
+    <message>
+        <source>what is drawn lies within the frame</source>
+        <translation>was gezeichnet wird, liegt in der Bildfläche</translation>
+    </message>
+    <message>
+        <source>fewer than two triangles are drawn in the frame</source>
+        <translation>in der Bildfläche werden weniger als zwei Dreiecke gezeichnet</translation>
+    </message>
+    <message>
+        <source>w is the same at the vertices of every triangle</source>
+        <translation>w ist an den Eckpunkten jedes Dreiecks gleich</translation>
+    </message>
+    <message>
+        <source>no triangle has a material with a texture</source>
+        <translation>kein Dreieck hat ein Material mit Textur</translation>
+    </message>
+    <message>
+        <source>no light is on</source>
+        <translation>kein Licht ist an</translation>
+    </message>
+    <message>
+        <source>every alpha is %1: opaque</source>
+        <translation>jedes Alpha ist %1: deckend</translation>
+    </message>
+    <message>
+        <source>the scene asks for one sample a pixel</source>
+        <translation>die Szene verlangt einen Abtastpunkt je Pixel</translation>
+    </message>
+    <message>
+        <source>there is no triangle, and nothing else has a depth</source>
+        <translation>es gibt kein Dreieck, und nichts anderes hat eine Tiefe</translation>
+    </message>
+    <message>
+        <source>there is no triangle, and nothing else has w</source>
+        <translation>es gibt kein Dreieck, und nichts anderes hat w</translation>
+    </message>
+    <message>
+        <source>there is no triangle, and nothing else has a texture</source>
+        <translation>es gibt kein Dreieck, und nichts anderes hat eine Textur</translation>
+    </message>
+    <message>
+        <source>there is no triangle, and nothing else has normals</source>
+        <translation>es gibt kein Dreieck, und nichts anderes hat Normalen</translation>
+    </message>
+    <message>
+        <source>there is no triangle, and nothing else has an alpha</source>
+        <translation>es gibt kein Dreieck, und nichts anderes hat ein Alpha</translation>
+    </message>
 </context>
 <context>
     <name>main</name>
@@ -1933,13 +1985,6 @@
         <source>%1 agree</source>
         <translation>%1 einig</translation>
     </message>
-</context>
-<context>
-    <name>pixelplumb::DefectStepper</name>
-    <message>
-        <source>defect %1</source>
-        <translation>Defekt %1</translation>
-    </message>
     <message>
         <source>Finished</source>
         <translation>Fertig</translation>
@@ -1947,6 +1992,13 @@
     <message>
         <source>Where the finished pictures agree</source>
         <translation>Wo die fertigen Bilder übereinstimmen</translation>
+    </message>
+</context>
+<context>
+    <name>pixelplumb::DefectStepper</name>
+    <message>
+        <source>defect %1</source>
+        <translation>Defekt %1</translation>
     </message>
 </context>
 <context>
@@ -4315,6 +4367,10 @@
         <source>&amp;Grade by this scene</source>
         <translation>Nach dieser Szene &amp;bewerten</translation>
     </message>
+    <message>
+        <source>Method and view</source>
+        <translation>Verfahren und Ansicht</translation>
+    </message>
 </context>
 <context>
     <name>pixelplumb::Manual</name>
@@ -4365,10 +4421,6 @@
     <message>
         <source>Proofs</source>
         <translation>Beweise (englisch)</translation>
-    </message>
-    <message>
-        <source>Method and view</source>
-        <translation>Verfahren und Ansicht</translation>
     </message>
 </context>
 <context>

@@ -5,6 +5,23 @@
 
 namespace pixelplumb {
 
+namespace {
+
+void appendCells(QList<ShownText> &texts, const QAbstractItemView &view, const QModelIndex &parent)
+{
+    const QAbstractItemModel &model = *view.model();
+    for (int row = 0; row < model.rowCount(parent); ++row) {
+        for (int column = 0; column < model.columnCount(parent); ++column) {
+            const QModelIndex cell = model.index(row, column, parent);
+            texts += {view.objectName() + " cell", cell.data().toString()};
+            if (column == 0)
+                appendCells(texts, view, cell);
+        }
+    }
+}
+
+} // namespace
+
 void appendTexts(QList<ShownText> &texts, const QMenu &menu)
 {
     texts += {menu.objectName() + " title", menu.title()};
@@ -46,6 +63,20 @@ QList<ShownText> shownTexts(const QWidget &whole)
             texts += {header->parentWidget()->objectName() + " header",
                       header->model()->headerData(i, Qt::Horizontal).toString()};
     }
+    return texts;
+}
+
+QList<ShownText> shownContents(const QWidget &whole)
+{
+    QList<ShownText> texts;
+    for (const auto *view : whole.findChildren<QAbstractItemView *>()) {
+        if (view->model() && !qobject_cast<const QHeaderView *>(view))
+            appendCells(texts, *view, {});
+    }
+    for (const auto *edit : whole.findChildren<QTextEdit *>())
+        texts += {edit->objectName(), edit->toPlainText()};
+    for (const auto *edit : whole.findChildren<QPlainTextEdit *>())
+        texts += {edit->objectName(), edit->toPlainText()};
     return texts;
 }
 

@@ -19,5 +19,7 @@ void appendTexts(QList<ShownText> &texts, const QMenu &menu);
 
 /// The texts in a window, dock or dialog, except those of Qt's own buttons.
 QList<ShownText> shownTexts(const QWidget &whole);
+/// The texts in its tables, trees, lists and documents.
+QList<ShownText> shownContents(const QWidget &whole);
 
 } // namespace pixelplumb

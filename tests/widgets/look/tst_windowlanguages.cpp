@@ -55,6 +55,42 @@ QString untranslatedOf(const QList<ShownText> &texts)
     return untranslated.join(u'\n');
 }
 
+/// The words of a text; names with hyphens, digits or dots, such as column-scan and float32, are
+/// none.
+QStringList wordsOf(const QString &text)
+{
+    static const QRegularExpression word(
+        u"(?<![-_./0-9A-Za-zÄÖÜäöüß])[A-Za-zÄÖÜäöüß]{3,}(?![-_0-9A-Za-zÄÖÜäöüß]|[./][0-9A-Za-z])"_s);
+    QStringList words;
+    for (const QRegularExpressionMatch &match : word.globalMatch(text))
+        words += match.captured().toLower();
+    return words;
+}
+
+/// What the sources say in English and the translations never do.
+QSet<QString> englishWords()
+{
+    QSet<QString> english;
+    QSet<QString> german;
+    for (const TranslatedText &text : textsOf(resource(u"/translations/pixelplumb_de.ts"_s))) {
+        for (const QString &word : wordsOf(QString(text.source).remove(u'&')))
+            english += word;
+        for (const QString &form : text.forms) {
+            for (const QString &word : wordsOf(QString(form).remove(u'&')))
+                german += word;
+        }
+    }
+    return english - german;
+}
+
+/// The part of a text that does not say that it is English.
+QString unmarked(const QString &text)
+{
+    const QString plain
+        = Qt::mightBeRichText(text) ? QTextDocumentFragment::fromHtml(text).toPlainText() : text;
+    return QString(plain).remove(u'&').section(u"Auf Englisch:"_s, 0, 0);
+}
+
 /// "&Datei" → "d"
 QChar mnemonicOf(const QString &text)
 {
@@ -182,6 +218,38 @@ private slots:
                                                // texts
                 QFAIL(qPrintable(name));
         }
+    }
+
+    void noPanelIsEnglishInGermanWithoutSayingSo()
+    {
+        const QSet<QString> english = englishWords();
+        QVERIFY(english.contains(u"edge"_s) && !english.contains(u"pixel"_s));
+        const Translation german({"de"});
+        const auto window = windowOf(QSize(1358, 728));
+        QStringList found;
+        const auto look = [&](const QWidget &whole) {
+            for (const ShownText &shown : shownTexts(whole) + shownContents(whole)) {
+                if (shown.place == u"hardCasesTree cell"_s)
+                    continue; // names of cases and of their families
+                for (const QString &word : wordsOf(unmarked(shown.text))) {
+                    if (english.contains(word))
+                        found += u"%1: %2 (%3)"_s.arg(shown.place, shown.text.left(300), word);
+                }
+            }
+        };
+        for (const char *step : {"runToStart", "nextColumn", "nextPixel", "runToEnd"}) {
+            action(*window, step)->trigger();
+            settle();
+            look(*window);
+        }
+        for (const QDockWidget *dock : window->findChildren<QDockWidget *>()) {
+            showPanel(*window, *dock);
+            look(*dock);
+        }
+        found.removeDuplicates();
+        for (const QString &each : std::as_const(found))
+            qWarning("%s", qPrintable(each));
+        QVERIFY(found.empty());
     }
 
     void lettersOfAMenuAreUniqueInGerman()

@@ -68,7 +68,7 @@ private slots:
         auto *caption = named<QLabel>(*m_window, "hardCaseCaption");
         QTRY_VERIFY2_WITH_TIMEOUT(caption->text().contains(u"64 missing"_s),
                                   qPrintable(caption->text()), 20000);
-        QVERIFY(caption->text().contains(u"column-scan float32 closed"_s));
+        QVERIFY(caption->text().contains(u"Column scan, float32, closed"_s));
         const auto words = named<QLabel>(*m_window, "hardCaseWords")->text();
         QVERIFY2(words.contains(u"the sign of the error decides, not its size"_s),
                  qPrintable(words));

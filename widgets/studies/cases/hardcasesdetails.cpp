@@ -2,6 +2,7 @@
 #include "widgets/studies/cases/hardcasesdetails.h"
 
 #include "core/compare/contest.h"
+#include "core/scan/choicenames.h"
 #include "widgets/look/corewords.h"
 #include "widgets/look/parts.h"
 #include "widgets/look/typesetting.h"
@@ -149,10 +150,14 @@ void HardCasesDetails::showPicture()
     m_picture->setIconSize(size);
     m_picture->setFixedHeight(size.height() + 8);
     m_picture->setIcon(sideBySide(m_shown, size, palette(), devicePixelRatioF()));
-    m_caption->setText(m_shown.drawn.isNull()
-                           ? tr("Being drawn by the current method.")
-                           : tr("Left: %1: %2. Right: the truth.")
-                                 .arg(m_shown.contender.name(), m_shown.verdict()));
+    if (m_shown.drawn.isNull())
+        return m_caption->setText(tr("Being drawn by the current method."));
+    const Contender &contender = m_shown.contender;
+    const QStringList drawnBy
+        = {methodTitle(*contender.method), coreWord(nameOf(contender.settings.arithmetic)),
+           coreWord(nameOf(contender.settings.fillRule))};
+    m_caption->setText(
+        tr("Left: %1: %2. Right: the truth.").arg(drawnBy.join(u", "_s), m_shown.verdict()));
 }
 
 const std::vector<ContenderVerdict> &HardCasesDetails::verdicts() const

@@ -127,7 +127,7 @@ std::vector<RowsColumn<Effect>> EffectsPanel::columns() const
          timed([](const EffectTiming &, const EffectCost &cost) { return ratioText(cost.ratio); })},
         {tr("reason"),
          {},
-         told([](const EffectVerdict &verdict) { return verdict.reason; }),
+         told([](const EffectVerdict &verdict) { return coreSentences(verdict.reason); }),
          Qt::AlignLeft}};
 }
 
