@@ -2119,8 +2119,8 @@
         <translation>Richtig: Kein Pixel weicht ab, also gibt es keinen Programmfehler zu benennen.</translation>
     </message>
     <message>
-        <source>Right by another fill rule or within rounding: every pixel that differs lies on an edge, where fill rules differ, or within float32 rounding error.</source>
-        <translation>Richtig nach einer anderen Füllregel oder innerhalb der Rundung: Jedes abweichende Pixel liegt auf einer Kante, wo Füllregeln sich unterscheiden, oder innerhalb des Rundungsfehlers von float32.</translation>
+        <source>Right within the leeway: every pixel that differs may do so in a right program.</source>
+        <translation>Richtig innerhalb des Spielraums: Jedes abweichende Pixel darf in einem richtigen Programm abweichen.</translation>
     </message>
     <message>
         <source>Known bugs produce this picture, except for pixels that rounding or an edge may decide:</source>
@@ -3039,8 +3039,12 @@
         <translation>Warum andere Punkte, für den Studenten; ohne Grund gelten sie nicht</translation>
     </message>
     <message>
-        <source>why other points</source>
-        <translation>warum andere Punkte</translation>
+        <source>why these points (needed)</source>
+        <translation>warum diese Punkte (nötig)</translation>
+    </message>
+    <message>
+        <source>%1 keeps the points of the checks: %2 were typed without a reason.</source>
+        <translation>%1 behält die Punkte der Prüfungen: %2 wurden ohne Begründung eingegeben.</translation>
     </message>
     <message>
         <source>Points</source>
@@ -3082,8 +3086,8 @@
         <translation>offen</translation>
     </message>
     <message>
-        <source>Right by another fill rule or within rounding: every pixel that differs is one that the leeway leaves open.</source>
-        <translation>Richtig nach einer anderen Füllregel oder innerhalb der Rundung: Jedes abweichende Pixel ist eines, das der Spielraum offen lässt.</translation>
+        <source>Right within the leeway: every pixel that differs is one that the leeway leaves open.</source>
+        <translation>Richtig innerhalb des Spielraums: Jedes abweichende Pixel ist eines, das der Spielraum offen lässt.</translation>
     </message>
 </context>
 <context>
@@ -5487,16 +5491,20 @@
         <translation>nicht gezeichnet</translation>
     </message>
     <message>
-        <source>not painted · on %1 of %2</source>
-        <translation>nicht gezeichnet · auf %1, %2</translation>
+        <source>not painted yet</source>
+        <translation>noch nicht gezeichnet</translation>
     </message>
     <message>
-        <source>not painted · %1 inside %2 of %3</source>
-        <translation>nicht gezeichnet · %1 innerhalb von %2, %3</translation>
+        <source>on %1 of %2</source>
+        <translation>auf %1, %2</translation>
     </message>
     <message>
-        <source>not painted · %1 outside %2 of %3</source>
-        <translation>nicht gezeichnet · %1 außerhalb von %2, %3</translation>
+        <source>%1 inside %2 of %3</source>
+        <translation>%1 innerhalb von %2, %3</translation>
+    </message>
+    <message>
+        <source>%1 outside %2 of %3</source>
+        <translation>%1 außerhalb von %2, %3</translation>
     </message>
     <message>
         <source>student: %1</source>
@@ -7317,10 +7325,10 @@
         <translation>%L1 unentscheidbar: auf einer Kante oder innerhalb des Rundungsfehlers</translation>
     </message>
     <message numerus="yes">
-        <source>Right by another fill rule or within rounding: %n pixels lie on an edge, where fill rules differ, or within float32 rounding error.</source>
+        <source>Right within the leeway: %n pixels differ as a right program&apos;s may.</source>
         <translation>
-            <numerusform>Richtig nach einer anderen Füllregel oder innerhalb der Rundung: %n Pixel liegt auf einer Kante, wo Füllregeln sich unterscheiden, oder innerhalb des Rundungsfehlers von float32.</numerusform>
-            <numerusform>Richtig nach einer anderen Füllregel oder innerhalb der Rundung: %n Pixel liegen auf einer Kante, wo Füllregeln sich unterscheiden, oder innerhalb des Rundungsfehlers von float32.</numerusform>
+            <numerusform>Richtig innerhalb des Spielraums: %n Pixel weicht ab, wie es ein richtiges Programm darf.</numerusform>
+            <numerusform>Richtig innerhalb des Spielraums: %n Pixel weichen ab, wie es ein richtiges Programm darf.</numerusform>
         </translation>
     </message>
 </context>

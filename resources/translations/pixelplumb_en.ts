@@ -269,10 +269,10 @@
         </translation>
     </message>
     <message numerus="yes">
-        <source>Right by another fill rule or within rounding: %n pixels lie on an edge, where fill rules differ, or within float32 rounding error.</source>
+        <source>Right within the leeway: %n pixels differ as a right program&apos;s may.</source>
         <translation>
-            <numerusform>Right by another fill rule or within rounding: %n pixel lies on an edge, where fill rules differ, or within float32 rounding error.</numerusform>
-            <numerusform>Right by another fill rule or within rounding: %n pixels lie on an edge, where fill rules differ, or within float32 rounding error.</numerusform>
+            <numerusform>Right within the leeway: %n pixel differs as a right program&apos;s may.</numerusform>
+            <numerusform>Right within the leeway: %n pixels differ as a right program&apos;s may.</numerusform>
         </translation>
     </message>
 </context>

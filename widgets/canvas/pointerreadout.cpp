@@ -89,8 +89,17 @@ QString paintedText(const QPoint &pixel, const TracedScene &traced, std::size_t 
         .arg(name, distanceText(nearest->edge.distance), nameOfEdge(*nearest, *traced.trace));
 }
 
-QString unpaintedText(const QPoint &pixel, const TracedScene &traced)
+/// Whether a step that is still to come paints the pixel.
+bool isPaintedLater(const QPoint &pixel, const Playhead &playhead)
 {
+    return TraceNavigation(*playhead.traced()->trace)
+        .writeOf(pixel, playhead.position(), StepDirection::Forward)
+        .has_value();
+}
+
+QString unpaintedText(const QPoint &pixel, const Playhead &playhead)
+{
+    const TracedScene &traced = *playhead.traced();
     std::optional<NearestEdge> nearest;
     const std::size_t count = traced.primitives.triangles.size();
     for (std::size_t i = 0; i < count && count <= mostJudged; ++i) {
@@ -98,17 +107,19 @@ QString unpaintedText(const QPoint &pixel, const TracedScene &traced)
         if (edge && (!nearest || edge->edge.distance > nearest->edge.distance))
             nearest = edge;
     }
+    const QString painted = isPaintedLater(pixel, playhead) ? PointerReadout::tr("not painted yet")
+                                                            : PointerReadout::tr("not painted");
     if (!nearest || !traced.method->draws(PrimitiveKind::Triangle))
-        return PointerReadout::tr("not painted");
+        return painted;
     const QString edge = nameOfEdge(*nearest, *traced.trace);
     const QString triangle = u"%1 %2"_s.arg(coreWord(nameOf(PrimitiveKind::Triangle)),
                                             QString::number(nearest->triangle));
+    const QString between = u" · "_s;
     if (nearest->isOnEdge())
-        return PointerReadout::tr("not painted · on %1 of %2").arg(edge, triangle);
-    const QString side = nearest->edge.distance >= 0
-        ? PointerReadout::tr("not painted · %1 inside %2 of %3")
-        : PointerReadout::tr("not painted · %1 outside %2 of %3");
-    return side.arg(distanceText(nearest->edge.distance), edge, triangle);
+        return painted + between + PointerReadout::tr("on %1 of %2").arg(edge, triangle);
+    const QString side = nearest->edge.distance >= 0 ? PointerReadout::tr("%1 inside %2 of %3")
+                                                     : PointerReadout::tr("%1 outside %2 of %3");
+    return painted + between + side.arg(distanceText(nearest->edge.distance), edge, triangle);
 }
 
 /// "student: #000000, missing", or, where that is the pixel shown, "missing; expected: #a06f30";
@@ -216,7 +227,7 @@ QString PointerReadout::owner(const QPoint &pixel, const Playhead &playhead)
     m_pixel = pixel;
     m_position = playhead.position();
     const std::optional<std::size_t> painter = painterOf(pixel, playhead);
-    m_text = painter ? paintedText(pixel, *traced, *painter) : unpaintedText(pixel, *traced);
+    m_text = painter ? paintedText(pixel, *traced, *painter) : unpaintedText(pixel, playhead);
     return m_text;
 }
 

@@ -75,8 +75,9 @@ private slots:
         bench.playhead.seek(0); // by keys, while the pointer rests
         QCOMPARE(bench.canvas.readout(), QString());
         point(bench, bench.at(30, 10));
-        QCOMPARE(bench.canvas.readout(),
-                 u"(30, 10) #000000\nnot painted · %1 px inside L₀₂ of triangle 0"_s.arg(distance));
+        QCOMPARE(
+            bench.canvas.readout(),
+            u"(30, 10) #000000\nnot painted yet · %1 px inside L₀₂ of triangle 0"_s.arg(distance));
     }
 
     void theReadoutSaysWhichEdgeKeepsAnUnpaintedPixelOut()

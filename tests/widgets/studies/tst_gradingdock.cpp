@@ -301,6 +301,14 @@ private slots:
             QTest::keyClicks(points, "4.5");
             QTest::keyClick(points, Qt::Key_Return);
             QCOMPARE(cell(*window, 1, GradeColumn::Points), "3 / 5");
+            press(*window, Qt::Key_K); // without a reason they are not taken, which is said
+            QVERIFY(text(*window, "messageText").contains("4.5"));
+            press(*window, Qt::Key_J);
+            QCOMPARE(cell(*window, 1, GradeColumn::Points), "3 / 5");
+            points->setFocus();
+            QTest::keyClicks(points, "4.5");
+            QTest::keyClick(points, Qt::Key_Return);
+            QVERIFY(reason->hasFocus());
             QTest::keyClicks(reason, "explained by mail");
             QTest::keyClick(reason, Qt::Key_Return);
             QCOMPARE(cell(*window, 1, GradeColumn::Points), "4.5 / 5");

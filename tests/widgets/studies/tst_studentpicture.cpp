@@ -134,7 +134,7 @@ private slots:
         };
         QVERIFY(wrongUnder(Leeway::Strict) > 0);
         QCOMPARE(wrongUnder(Leeway::Edges), 0);
-        QVERIFY(text(*window, "submissionVerdict").startsWith("Right by another fill rule"));
+        QVERIFY(text(*window, "submissionVerdict").startsWith("Right within the leeway"));
         QCOMPARE(wrongUnder(Leeway::Once), 0);
         QVERIFY(wrongUnder(Leeway::Strict) > 0);
     }

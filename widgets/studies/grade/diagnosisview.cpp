@@ -248,8 +248,7 @@ QString diagnosisText(const Diagnosis &diagnosis)
     const QString verdict = diagnosis.verdict == DiagnosisVerdict::Wrong
         ? DiagnosisView::tr("Wrong.")
         : DiagnosisView::tr(
-            "Right by another fill rule or within rounding: every pixel that differs lies on an "
-            "edge, where fill rules differ, or within float32 rounding error.");
+            "Right within the leeway: every pixel that differs may do so in a right program.");
     if (diagnosis.failure)
         return verdict + u' '
             + DiagnosisView::tr("The search for defects ended in an error: %1.")

@@ -55,11 +55,12 @@ GradeReviewPane::GradeReviewPane(Gradebook *book, QWidget *parent)
     m_reason = named(new QLineEdit(this), "gradingReason",
                      tr("Your reason for changing the points, for the student; without a "
                         "reason they do not change"));
-    m_reason->setPlaceholderText(tr("why other points"));
+    m_reason->setPlaceholderText(tr("why these points (needed)"));
     for (QLineEdit *each : {m_points, m_reason}) {
         each->installEventFilter(this);
         connect(each, &QLineEdit::editingFinished, this, &GradeReviewPane::savePoints);
     }
+    connect(m_points, &QLineEdit::returnPressed, m_reason, qOverload<>(&QWidget::setFocus));
     auto *row = new QHBoxLayout; // a single row: a low window's lines are for the texts
     row->setSpacing(4);
     row->addWidget(m_scene, 1);
@@ -86,10 +87,19 @@ GradeReviewPane::~GradeReviewPane()
     savePoints();
 }
 
+bool GradeReviewPane::lacksReason() const
+{
+    return !m_points->text().isEmpty() && m_reason->text().trimmed().isEmpty();
+}
+
 void GradeReviewPane::setSubmission(const std::optional<std::size_t> &place)
 {
     saveComment();
     savePoints();
+    if (m_shown && lacksReason())
+        emit m_book->complaint(
+            tr("%1 keeps the points of the checks: %2 were typed without a reason.")
+                .arg(m_book->report().submissions[*m_shown].name, m_points->text()));
     m_shown = place;
     for (QWidget *each : std::initializer_list<QWidget *>{m_scene, m_comment, m_points, m_reason,
                                                           m_accept, m_forCluster})
@@ -151,10 +161,10 @@ void GradeReviewPane::savePoints()
 {
     bool isNumber = false;
     const double points = locale().toDouble(m_points->text(), &isNumber);
-    const QString reason = m_reason->text().trimmed();
-    if (!m_shown || (!m_points->text().isEmpty() && (!isNumber || reason.isEmpty())))
+    if (!m_shown || lacksReason() || (!m_points->text().isEmpty() && !isNumber))
         return;
-    m_book->setPoints(*m_shown, isNumber ? std::optional(points) : std::nullopt, reason);
+    m_book->setPoints(*m_shown, isNumber ? std::optional(points) : std::nullopt,
+                      m_reason->text().trimmed());
 }
 
 void GradeReviewPane::commentCluster()

@@ -40,6 +40,7 @@ protected:
 private:
     void saveComment();
     void savePoints();
+    bool lacksReason() const; ///< points are typed, and not why
     void commentCluster();
     void showReport();
     void showReview();

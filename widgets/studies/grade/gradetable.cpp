@@ -32,8 +32,8 @@ QString verdictToolTip(const GradedSubmission &submission)
 {
     if (submission.verdict != GradeVerdict::Undecidable)
         return {};
-    return GradeTable::tr("Right by another fill rule or within rounding: every pixel that differs "
-                          "is one that the leeway leaves open.");
+    return GradeTable::tr("Right within the leeway: every pixel that differs is one that the "
+                          "leeway leaves open.");
 }
 
 } // namespace

@@ -54,9 +54,8 @@ QString verdictText(const PictureDiff &diff)
         return SubmissionPanel::tr("Wrong: %n pixels differ.", nullptr, int(diff.differing()));
     if (open > 0)
         return SubmissionPanel::tr(
-            "Right by another fill rule or within rounding: %n pixels lie on an edge, where fill "
-            "rules differ, or within float32 rounding error.",
-            nullptr, int(open));
+            "Right within the leeway: %n pixels differ as a right program's may.", nullptr,
+            int(open));
     return SubmissionPanel::tr("Right: no pixel differs.");
 }
 
