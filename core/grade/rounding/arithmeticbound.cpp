@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/grade/rounding/arithmeticbound.h"
 
-#include "core/oracle/oracle.h"
 #include "core/scan/errorlimit.h"
 
 #include <algorithm>

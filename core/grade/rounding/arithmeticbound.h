@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/geometry/triangle.h"
+#include "core/oracle/oracle.h"
 #include "core/scan/boundaryrule.h"
 #include "core/scan/scansettings.h"
 #include "core/scan/spanaxis.h"
@@ -70,9 +71,9 @@ public:
     double endError(SpanAxis axis) const;
     /// The error of a level at a sample inside; none: unbounded.
     std::optional<double> levelError(std::int64_t x, std::int64_t y, std::size_t channel) const;
-    /// The levels that a right program may have at a sample it draws: those near the exact one and,
-    /// on a thin span or for a triangle without area, those between the vertices' levels (a start
-    /// at one end and part of the way to the other); none: any.
+    /// The levels that a right program may have at a sample it draws: those near the exact one; on
+    /// a span so thin that its increment may be anything, those between its two ends; for a
+    /// triangle without area, those between the vertices; none: any.
     std::optional<LevelRange> levelsAt(std::int64_t x, std::int64_t y, std::size_t channel) const;
 
     /// The error of an edge function, px².
@@ -91,6 +92,13 @@ private:
         std::array<double, 3> functions = {}; ///< px²
         std::array<bool, 3> areOwned = {}; ///< by the fill rule, on the edge's line
     };
+    /// The column of a walk by columns, or the row of one by rows, x and y exchanged; none outside.
+    std::optional<oracle::ExactColumn> spanAt(SpanAxis walk, std::int64_t x, std::int64_t y) const;
+    bool isThin(const oracle::ExactColumn &span, SpanAxis walk) const;
+    /// The error of a level at a sample inside: of a walk on a span that is not thin, and by edge
+    /// functions.
+    double walkLevelError(SpanAxis walk, std::size_t channel) const;
+    double functionLevelError() const;
     Sample sampleAt(std::int64_t x, std::int64_t y, const std::optional<BoundaryRule> &rule) const;
     /// The containment by edge functions with these errors, px².
     static Containment containmentWithin(const Sample &sample, const std::array<double, 3> &errors,

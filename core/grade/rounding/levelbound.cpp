@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/grade/rounding/arithmeticbound.h"
-#include "core/oracle/oracle.h"
 
 #include <algorithm>
 #include <cmath>
@@ -9,11 +8,9 @@ namespace pixelplumb {
 
 namespace {
 
-/// The height of the triangle along a column, px; 0 outside it.
-double heightAt(const Triangle &triangle, std::int64_t x)
+double heightOf(const oracle::ExactColumn &span)
 {
-    const auto column = oracle::columnAt(triangle, FillRule::Closed, x);
-    return column ? column->yTop.toDouble() - column->yBottom.toDouble() : 0;
+    return span.yTop.toDouble() - span.yBottom.toDouble();
 }
 
 } // namespace
@@ -26,49 +23,94 @@ std::pair<int, int> LevelRange::bytes(ByteRounding rounding) const
     return {byteOf(least), byteOf(most)};
 }
 
+std::optional<oracle::ExactColumn> ArithmeticBound::spanAt(SpanAxis walk, std::int64_t x,
+                                                           std::int64_t y) const
+{
+    return walk == SpanAxis::Column ? oracle::columnAt(m_triangle, FillRule::Closed, x)
+                                    : oracle::columnAt(m_exchanged, FillRule::Closed, y);
+}
+
 double ArithmeticBound::spanLevelError(double rate) const
 {
     return 5 * (m_columnLevelError + std::abs(rate) * m_columnError)
         + (m_extent[1] + 7) * m_unit * levels;
 }
 
+bool ArithmeticBound::isThin(const oracle::ExactColumn &span, SpanAxis walk) const
+{
+    return heightOf(span) <= 4 * (walk == SpanAxis::Column ? m_columnError : m_rowError);
+}
+
+double ArithmeticBound::walkLevelError(SpanAxis walk, std::size_t channel) const
+{
+    const bool isByColumns = walk == SpanAxis::Column;
+    const double levelError = isByColumns ? m_columnLevelError : m_rowLevelError;
+    const double endsError = isByColumns ? m_columnError : m_rowError;
+    const double rate = std::abs(m_gradient[channel][isByColumns ? 1 : 0]);
+    const double steps = m_extent[isByColumns ? 1 : 0] + 1;
+    return 5 * (levelError + rate * endsError) + (steps + 6) * m_unit * levels;
+}
+
+double ArithmeticBound::functionLevelError() const
+{
+    return levels * (16 * m_functionError / m_area + 16 * m_unit);
+}
+
 std::optional<double> ArithmeticBound::levelError(std::int64_t x, std::int64_t y,
                                                   std::size_t channel) const
 {
-    // On a thin span the increment may be anything.
-    const bool isThin = !m_isProved || heightAt(m_triangle, x) <= 4 * m_columnError
-        || heightAt(m_exchanged, y) <= 4 * m_rowError || m_area <= 2 * m_functionError;
-    if (isThin)
+    if (!m_isProved || m_area <= 2 * m_functionError)
         return std::nullopt;
-    const auto [alongX, alongY] = m_gradient[channel];
-    const auto walked = [&](double levelError, double gradient, double boundError, double steps) {
-        return 5 * (levelError + std::abs(gradient) * boundError) + (steps + 6) * m_unit * levels;
-    };
-    const double byColumns = walked(m_columnLevelError, alongY, m_columnError, m_extent[1] + 1);
-    const double byRows = walked(m_rowLevelError, alongX, m_rowError, m_extent[0] + 1);
-    const double byFunctions = levels * (16 * m_functionError / m_area + 16 * m_unit);
-    return std::max({byColumns, byRows, byFunctions});
+    double error = functionLevelError();
+    for (const SpanAxis walk : {SpanAxis::Column, SpanAxis::Row}) {
+        const auto span = spanAt(walk, x, y);
+        if (!span || isThin(*span, walk)) // its increment may be anything
+            return std::nullopt;
+        error = std::max(error, walkLevelError(walk, channel));
+    }
+    return error;
 }
 
 std::optional<LevelRange> ArithmeticBound::levelsAt(std::int64_t x, std::int64_t y,
                                                     std::size_t channel) const
 {
     constexpr double ownError = 1e-9; // of these doubles
-    if (const auto error = levelError(x, y, channel)) {
-        const double exact = oracle::colourAt(m_triangle, x, y)[channel].toDouble();
-        return LevelRange{exact - *error - ownError, exact + *error + ownError};
-    }
-    const bool isThinnerThanHeld = m_area != 0 && m_area <= 2 * m_functionError;
-    if (isThinnerThanHeld || m_largest > largestProved)
-        return std::nullopt;
     const auto level = [&](std::size_t vertex) {
         return double(m_triangle.vertices[vertex].colour.channels[channel]);
     };
     const auto [least, most] = std::minmax({level(0), level(1), level(2)});
-    const double ofFunctions = m_area != 0 ? 16 * m_functionError / m_area : 0;
-    const double error
-        = 5 * std::max(m_columnLevelError, m_rowLevelError) + levels * (ofFunctions + 16 * m_unit);
-    return LevelRange{least - error, most + error};
+    if (m_largest > largestProved || (m_area != 0 && m_area <= 2 * m_functionError))
+        return std::nullopt;
+    if (m_area == 0) {
+        const double error
+            = 5 * std::max(m_columnLevelError, m_rowLevelError) + levels * 16 * m_unit;
+        return LevelRange{least - error, most + error};
+    }
+    const double exact = oracle::colourAt(m_triangle, x, y)[channel].toDouble();
+    LevelRange range{exact, exact};
+    const auto include = [&range](double middle, double error) {
+        range.least = std::min(range.least, middle - error - ownError);
+        range.most = std::max(range.most, middle + error + ownError);
+    };
+    include(exact, functionLevelError());
+    for (const SpanAxis walk : {SpanAxis::Column, SpanAxis::Row}) {
+        const bool isByColumns = walk == SpanAxis::Column;
+        const auto span = spanAt(walk, x, y);
+        if (!span)
+            continue; // no walk along this axis meets the sample
+        if (!isThin(*span, walk)) {
+            include(exact, walkLevelError(walk, channel));
+            continue;
+        }
+        const double sample = double(isByColumns ? y : x);
+        const double endError
+            = 5 * (isByColumns ? m_columnLevelError : m_rowLevelError) + 8 * m_unit * levels;
+        for (const double end : {span->yBottom.toDouble(), span->yTop.toDouble()}) {
+            const double atEnd = exact + m_gradient[channel][isByColumns ? 1 : 0] * (end - sample);
+            include(std::clamp(atEnd, least, most), endError);
+        }
+    }
+    return range;
 }
 
 } // namespace pixelplumb

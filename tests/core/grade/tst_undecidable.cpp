@@ -121,6 +121,27 @@ private slots:
         }
     }
 
+    /// A vertex' span in its row is a point: no proportion of other colours is right there.
+    void aVertexHasItsOwnColour()
+    {
+        Scene scene;
+        scene.triangles = {{{{{latticePixel(30, 20), {{255, 0, 0}}},
+                              {latticePixel(57, 9), {{0, 255, 0}}},
+                              {latticePixel(57, 22), {{0, 0, 255}}}}}}};
+        const Picture right = pictureOf(scene);
+        const std::size_t vertex = right.placeOf(57, int(pictureLine(scene.frame, 9)));
+        QCOMPARE(right.colours[vertex], (Colour{{0, 255, 0}}));
+        // A walk may leave the vertex out, but not draw it in another colour.
+        for (const Colour &other : {Colour{{0, 3, 0}}, Colour{{0, 0, 255}}, Colour{{85, 85, 85}}}) {
+            Picture found = right;
+            found.colours[vertex] = other;
+            coverAllBut(scene.frame.background, found);
+            QCOMPARE(
+                differenceOf(right, found, undecidablePixels(scene, right, found, {})).differing(),
+                std::int64_t(1));
+        }
+    }
+
     void whatIsWrongByAPixelOrALevelStaysWrong()
     {
         Scene scene;
