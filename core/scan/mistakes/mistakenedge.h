@@ -35,6 +35,7 @@ public:
                 : Traits::fromLattice(wayToSpan(edge.firstColour.position.x, span, bugs, i));
             m_levels[i] = A::edgeColour(edge.firstColour, b, i, run, rates[i]);
         }
+        m_isLevel = m_slope == Traits::fromInteger(0);
         if (bugs.edgeStoring == Storing::FromFirst) {
             m_along = leftOf(m_along, bugs.edgePlaces);
             for (Value &level : m_levels)
@@ -66,12 +67,17 @@ public:
         }
     }
 
-    void carryPlaceOf(const MistakenEdge &other) { m_along = other.m_along; }
+    void carryPlaceOf(const MistakenEdge &other)
+    {
+        m_along = other.m_along;
+        m_isLevel = m_isLevel && other.m_isLevel;
+    }
     void carryColourOf(const MistakenEdge &other) { m_levels = other.m_levels; }
     void goOnWithPlacesOf(const MistakenEdge &other)
     {
         m_along = other.m_along;
         m_slope = other.m_slope;
+        m_isLevel = other.m_isLevel;
         m_vertex = other.m_vertex;
         m_run = other.m_run;
     }
@@ -81,12 +87,21 @@ public:
         m_rates = other.m_rates;
         m_vertexColour = other.m_vertexColour;
     }
-    void stepAsPlacesOf(const MistakenEdge &other) { m_slope = other.m_slope; }
+    void stepAsPlacesOf(const MistakenEdge &other)
+    {
+        m_slope = other.m_slope;
+        m_isLevel = m_isLevel && other.m_isLevel;
+    }
     void stepAsColoursOf(const MistakenEdge &other) { m_rates = other.m_rates; }
     void holdPlace() { m_slope = Traits::fromInteger(0); }
     void holdColour() { m_rates.fill(Traits::fromInteger(0)); }
 
-    void moveBy(double along) requires std::is_same_v<Value, double> { m_along += along; }
+    /// Nothing rounds along a level edge, so that it stays.
+    void moveBy(double along) requires std::is_same_v<Value, double>
+    {
+        if (!m_isLevel)
+            m_along += along;
+    }
     bool isBelow(const MistakenEdge &other) const { return place() < other.place(); }
     std::int64_t floor() const { return A::floor(place()); }
     std::int64_t ceil() const { return A::ceil(place()); }
@@ -124,6 +139,7 @@ private:
     const ScanBugs &m_bugs;
     Value m_slope; ///< px per span
     Value m_along; ///< px
+    bool m_isLevel = false; ///< the slope is 0
     Lattice m_vertex; ///< where the edge begins, along the span
     Colour m_vertexColour;
     Lattice m_run;

@@ -292,6 +292,27 @@ private slots:
             QVERIFY2(!candidate.ids().contains(u"nothing-drawn"_s), qPrintable(idsOf(candidate)));
     }
 
+    /// Without the level top edge's row: what leaves out the level bottom edge's row, too, which no
+    /// rounding moves, does not explain it.
+    void aLevelEdgeIsNotMovedByRounding()
+    {
+        Scene scene
+            = sceneWith({triangleAt(8, 5, 36, 5, 19, 24), triangleAt(27, 43, 59, 43, 50, 21)});
+        Picture picture = pictureOf(scene);
+        const auto line = int(pictureLine(scene.frame, 43));
+        for (int x = 0; x < picture.width; ++x) {
+            picture.covered[picture.placeOf(x, line)] = 0;
+            picture.colours[picture.placeOf(x, line)] = scene.frame.background;
+        }
+        const Submission submission{scene, picture};
+        const auto diagnosis = diagnose(std::span(&submission, 1));
+        for (const DiagnosisCandidate &candidate : diagnosis->candidates) {
+            const bool hasOpenEnds = candidate.ids().contains(u"open-at-bounds"_s);
+            QVERIFY2(!hasOpenEnds || candidate.distance > 0,
+                     qPrintable(candidate.ids().join(u' ')));
+        }
+    }
+
     void onePixelIsOne()
     {
         QCOMPARE(pixelsText(1), "1 pixel");
