@@ -10,6 +10,7 @@
 
 #include <QTest>
 #include <QtWidgets>
+#include <qcustomplot.h>
 
 #include <cmath>
 #include <set>
@@ -118,6 +119,22 @@ private slots:
 
         QTest::mouseClick(named<QToolButton>(*m_panel, "precision_fixed16.16"), Qt::LeftButton);
         QCOMPARE(m_panel->plot()->curveCount(), 3);
+    }
+
+    void noLineGoesThroughALabel()
+    {
+        open();
+        const auto *plot = m_panel->plot()->findChild<QCustomPlot *>();
+        int labels = 0;
+        for (int i = 0; i < plot->itemCount(); ++i) {
+            const auto *label = qobject_cast<const QCPItemText *>(plot->item(i));
+            if (!label)
+                continue;
+            QVERIFY2(label->brush().isOpaque(), qPrintable(label->text()));
+            QCOMPARE(label->layer()->name(), "overlay"); // above all lines
+            ++labels;
+        }
+        QVERIFY(labels > 2); // of both fences, and of a first wrong column
     }
 
     void aClickGoesToTheColumn()
