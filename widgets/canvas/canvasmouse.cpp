@@ -13,12 +13,6 @@
 
 namespace pixelplumb {
 
-namespace {
-
-constexpr int eighthsPerNotch = 120; // of a degree; QWheelEvent::angleDelta
-
-} // namespace
-
 CanvasMouse::CanvasMouse(Canvas &canvas, CanvasView &view, const CanvasSources &sources)
     : m_canvas(canvas)
     , m_view(view)
@@ -160,8 +154,8 @@ void CanvasMouse::turn(QWheelEvent *event)
 {
     event->accept();
     m_wheelRest += event->angleDelta().y();
-    const int notches = m_wheelRest / eighthsPerNotch;
-    m_wheelRest -= notches * eighthsPerNotch;
+    const int notches = m_wheelRest / QWheelEvent::DefaultDeltasPerStep;
+    m_wheelRest -= notches * QWheelEvent::DefaultDeltasPerStep;
     for (int notch = 0; notch < std::abs(notches); ++notch) {
         const ViewZoom &zoom = m_view.mapping().zoom();
         m_view.zoomTo(notches > 0 ? zoom.nextLarger() : zoom.nextSmaller(), event->position());

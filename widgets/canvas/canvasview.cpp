@@ -16,14 +16,14 @@ namespace {
 // Logical pixels.
 constexpr double fitMargin = 12; ///< for handles of vertices on the frame's border
 
+} // namespace
+
 QPointF fractionOf(const QWidget &widget)
 {
     const QPointF corner
         = QPointF(widget.mapTo(widget.window(), QPoint(0, 0))) * widget.devicePixelRatioF();
     return {corner.x() - std::floor(corner.x()), corner.y() - std::floor(corner.y())};
 }
-
-} // namespace
 
 CanvasView::CanvasView(const SceneDocument *document, QWidget *canvas)
     : QObject(canvas)

@@ -14,6 +14,9 @@ class CanvasMouse;
 class Playhead;
 struct TracedScene;
 
+/// Where in its device pixel a widget's corner lies, as ViewMapping asks.
+QPointF fractionOf(const QWidget &widget);
+
 /// Where the frame and its rulers are on the canvas, and at what zoom. A zoom or move is kept until
 /// the whole frame is asked for; from then on the frame fits the widget at any size.
 class CanvasView : public QObject {

@@ -17,7 +17,6 @@ namespace pixelplumb {
 
 namespace {
 
-constexpr int wheelStep = 120; // one notch, in eighths of a degree
 constexpr int cellsPerStep = 2;
 
 PixelGridStyle styleOf(const QWidget &widget, const DisplayOptions &options)
@@ -180,8 +179,8 @@ void PixelGrid::mousePressEvent(QMouseEvent *event)
 void PixelGrid::wheelEvent(QWheelEvent *event)
 {
     m_wheelAngle += event->angleDelta().y();
-    const int steps = m_wheelAngle / wheelStep;
-    m_wheelAngle -= steps * wheelStep;
+    const int steps = m_wheelAngle / QWheelEvent::DefaultDeltasPerStep;
+    m_wheelAngle -= steps * QWheelEvent::DefaultDeltasPerStep;
     if (steps != 0)
         setCellCount(mapping().frame().height
                      - steps * cellsPerStep); // turning away enlarges the cells

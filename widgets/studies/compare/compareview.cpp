@@ -2,26 +2,16 @@
 #include "widgets/studies/compare/compareview.h"
 
 #include "widgets/canvas/canvaspainter.h"
+#include "widgets/canvas/canvasview.h"
 #include "widgets/look/framepainter.h"
 #include "widgets/look/parts.h"
 #include "widgets/look/signs.h"
 #include "widgets/model/playhead.h"
 #include "widgets/studies/compare/comparelink.h"
 
-#include <cmath>
-
 namespace pixelplumb {
 
 namespace {
-
-constexpr int notch = 120; ///< eighths of a degree
-
-QPointF fractionOf(const QWidget &widget)
-{
-    const QPointF corner
-        = QPointF(widget.mapTo(widget.window(), QPoint(0, 0))) * widget.devicePixelRatioF();
-    return {corner.x() - std::floor(corner.x()), corner.y() - std::floor(corner.y())};
-}
 
 bool isWrittenBySomeone(const Contest &contest, std::int64_t x, std::int64_t y)
 {
@@ -141,6 +131,7 @@ void CompareView::mouseDoubleClickEvent(QMouseEvent *event)
 void CompareView::wheelEvent(QWheelEvent *event)
 {
     m_wheelRest += event->angleDelta().y();
+    constexpr int notch = QWheelEvent::DefaultDeltasPerStep;
     for (; m_wheelRest >= notch; m_wheelRest -= notch)
         m_link->zoomIn(mapping(), view(), event->position());
     for (; m_wheelRest <= -notch; m_wheelRest += notch)
