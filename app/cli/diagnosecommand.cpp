@@ -62,6 +62,18 @@ std::size_t synonymsIn(const Diagnosis &diagnosis)
     return std::size_t(std::ranges::find_if_not(all, isEqual) - all.begin());
 }
 
+/// Where wrong pixels lie; of several pictures with the scene's number.
+QStringList placeLines(const Diagnosis &diagnosis)
+{
+    QStringList lines;
+    for (std::size_t i = 0; i < diagnosis.places.size(); ++i) {
+        const QString scene = diagnosis.places.size() > 1 ? u"scene %1, "_s.arg(i + 1) : QString();
+        for (const QString &place : diagnosis.places[i])
+            lines += u"    "_s + scene + place;
+    }
+    return lines;
+}
+
 /// "the same pictures also come from slack-of-one; slack-of-half"
 QString synonymsText(std::span<const DiagnosisCandidate> others)
 {
@@ -85,10 +97,10 @@ QStringList diagnosisLines(const Diagnosis &diagnosis, std::span<const Submissio
     QStringList lines = {verdict};
     if (diagnosis.failure)
         lines += u"the search for defects ended in an error: %1"_s.arg(*diagnosis.failure);
-    else if (diagnosis.candidates.empty() && isWrong)
-        lines += u"no known defect explains it"_s;
     else if (!diagnosis.isExplained() && isWrong)
-        lines += u"no known defect explains it; the nearest ones:"_s;
+        lines += QStringList(u"no known defect explains it"_s) + placeLines(diagnosis);
+    if (!diagnosis.candidates.empty() && !diagnosis.isExplained() && isWrong)
+        lines += u"the nearest ones:"_s;
     if (diagnosis.sampled && isWrong)
         lines += u"    "_s + sampledText(*diagnosis.sampled);
     const std::size_t synonyms = synonymsIn(diagnosis);

@@ -52,6 +52,7 @@ void eachField(Self &self, const Visit &visit)
     visit("checks", self.checks);
     visit("brokenInvariants", self.brokenInvariants);
     visit("explanations", self.explanations);
+    visit("places", self.places);
 }
 
 /// The names of all submissions, graded or not.

@@ -149,7 +149,7 @@ private:
         Picture picture = *found;
         if (picture.hasColours)
             coverAllBut(m_report.assignment.scenes[place].scene.frame.background, picture);
-        const PictureDiff diff = differenceOf(expected, picture, grader.leftOpen(place, picture));
+        const PictureDiff diff = grader.diffOf(place, picture);
         m_page += u"<h4>%1</h4>\n"_s.arg(html(scene.scene));
         m_page += figure(pixelplumb::imageOf(picture), u"found"_s);
         m_page += figure(pixelplumb::imageOf(expected), u"expected"_s);

@@ -4,6 +4,7 @@
 #include "core/frame/framebuffer.h"
 #include "core/grade/class/delivery.h"
 #include "core/grade/diagnose/undecidable.h"
+#include "core/grade/pictures/wrongplaces.h"
 
 #include <algorithm>
 #include <cmath>
@@ -112,10 +113,12 @@ Grader::Grader(Assignment assignment)
         m_expected.push_back(*m_pictures.picture(scene, {}));
 }
 
-std::vector<std::uint8_t> Grader::leftOpen(std::size_t scene, const Picture &found) const
+PictureDiff Grader::diffOf(std::size_t scene, const Picture &found) const
 {
-    return undecidablePixels(m_pictures.scenes()[scene], m_expected[scene], found,
-                             m_assignment.margin);
+    const Picture &expected = m_expected[scene];
+    return differenceOf(
+        expected, found,
+        undecidablePixels(m_pictures.scenes()[scene], expected, found, m_assignment.margin));
 }
 
 GradedScene Grader::judge(std::size_t scene, const Delivery &delivery) const
@@ -138,18 +141,20 @@ GradedScene Grader::judge(std::size_t scene, const Delivery &delivery) const
     const auto add = [&graded](const QString &note) {
         graded.note = graded.note ? *graded.note + u"; "_s + note : note;
     };
-    if (delivery.picture && !delivery.picture->hasColours && asksForColours(asked))
-        add(u"a raster of characters has no colours"_s);
-    if (delivery.picture && delivery.picture->isTransparent)
-        add(u"the picture "_s + transparencyText());
-    if (delivery.picture) {
-        diff = differenceOf(m_expected[scene], *delivery.picture,
-                            leftOpen(scene, *delivery.picture));
+    if (const auto &picture = delivery.picture) {
+        if (!picture->hasColours && asksForColours(asked))
+            add(u"a raster of characters has no colours"_s);
+        if (picture->isTransparent)
+            add(u"the picture "_s + transparencyText());
+        diff = diffOf(scene, *picture);
         graded.counts = diff.counts;
         graded.largestError = diff.largestError;
         for (const PictureCause &cause : diff.causes)
             graded.causes += cause.name;
         graded.firstDifference = firstDifferenceIn(diff, asked.scene.frame);
+        const QStringList places = wrongPlaces(diff, m_expected[scene], asked.scene.frame);
+        if (!places.isEmpty())
+            graded.places = places;
     }
     for (std::size_t i = 0; i < allChecks.size(); ++i) {
         GradedCheck check{allChecks[i], false, 0, asked.points[i]};
@@ -187,8 +192,7 @@ Grader::WrongPixels Grader::wrongIn(const std::vector<Delivery> &deliveries) con
     WrongPixels wrong;
     for (std::size_t scene = 0; scene < deliveries.size(); ++scene) {
         if (const auto &found = deliveries[scene].picture) {
-            const PictureDiff diff
-                = differenceOf(m_expected[scene], *found, leftOpen(scene, *found));
+            const PictureDiff diff = diffOf(scene, *found);
             wrong.coverage += diff.count(Difference::Missing) + diff.count(Difference::Extra);
             wrong.all += diff.differing();
         }
@@ -249,10 +253,9 @@ std::optional<GradedWork> Grader::gradeIn(const SubmissionEntry &entry,
     std::vector<FoundPicture> found;
     for (std::size_t scene = 0; scene < deliveries.size(); ++scene) {
         submission.scenes.push_back(judge(scene, deliveries[scene]));
-        work.pictures.push_back(std::move(deliveries[scene].picture));
-        if (const auto &picture = work.pictures.back()) {
-            found.push_back({scene, *picture});
+        if (auto &picture = deliveries[scene].picture) {
             submission.differing += differingPixels(m_expected[scene], *picture);
+            found.push_back({scene, *std::move(picture)});
         }
     }
     submission.verdict = verdictOf(submission.scenes);
@@ -273,14 +276,11 @@ std::optional<GradedWork> Grader::gradeIn(const SubmissionEntry &entry,
 
 std::optional<FramePixel> firstDifferenceIn(const PictureDiff &diff, const FrameSpec &frame)
 {
-    const auto isOther = [](Difference verdict) { return verdict != Difference::None; };
     // An open pixel is returned only where there is no other.
-    auto found = std::ranges::find_if(diff.verdicts, [&](Difference verdict) {
-        return isOther(verdict) && verdict != Difference::Undecidable;
+    const auto found = std::ranges::min_element(diff.verdicts, {}, [](Difference verdict) {
+        return verdict == Difference::None ? 2 : verdict == Difference::Undecidable ? 1 : 0;
     });
-    if (found == diff.verdicts.end())
-        found = std::ranges::find_if(diff.verdicts, isOther);
-    if (found == diff.verdicts.end())
+    if (found == diff.verdicts.end() || *found == Difference::None)
         return std::nullopt;
     return pixelOfPlace(frame, std::size_t(found - diff.verdicts.begin()));
 }
@@ -297,11 +297,9 @@ QImage imageOf(const Picture &picture)
     for (int line = 0; line < picture.height; ++line) {
         for (int x = 0; x < picture.width; ++x) {
             const std::size_t place = picture.placeOf(x, line);
-            image.setPixel(
-                x, line,
-                picture.hasColours
-                    ? packed(picture.colours[place])
-                    : packed(picture.covered[place] != 0 ? Colour{{255, 255, 255}} : Colour{}));
+            const bool isWhite = picture.covered[place] != 0;
+            const Colour ofRaster = isWhite ? Colour{{255, 255, 255}} : Colour{};
+            image.setPixel(x, line, packed(picture.hasColours ? picture.colours[place] : ofRaster));
         }
     }
     return image;

@@ -32,8 +32,8 @@ public:
     Grader &in(FrameConvention convention);
     /// What the scene's method draws.
     const Picture &expected(std::size_t scene) const { return m_expected[scene]; }
-    /// A 1 for each pixel of the found picture that is left open; empty: none.
-    std::vector<std::uint8_t> leftOpen(std::size_t scene, const Picture &found) const;
+    /// How the found picture differs from that, up to what the margin leaves open.
+    PictureDiff diffOf(std::size_t scene, const Picture &found) const;
 
     /// Leaves the digest empty. None where the stop was requested.
     std::optional<GradedWork> grade(const SubmissionEntry &entry, const std::stop_token &stop = {});
@@ -68,9 +68,10 @@ private:
     bool search(const std::vector<FoundPicture> &found, const std::stop_token &stop, Named &named);
     std::optional<Diagnosis> diagnosisOf(std::span<const FoundPicture> found,
                                          const std::stop_token &stop);
-    /// Names what explains one scene's picture for all of them, where it comes nearest.
+    /// Names what explains one scene's picture for all of them, where it comes nearest and is
+    /// relevant to the whole.
     void tryOnAll(const DiagnosisCandidate &candidate, const std::vector<FoundPicture> &found,
-                  Named &named) const;
+                  const Diagnosis &whole, Named &named) const;
     GradedCandidate gradedOf(const DiagnosisCandidate &candidate,
                              const std::vector<FoundPicture> &found) const;
     std::optional<FirstDivergence> partingOf(const DiagnosisCandidate &candidate,

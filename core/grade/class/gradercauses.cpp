@@ -85,7 +85,7 @@ GradedCandidate Grader::gradedOf(const DiagnosisCandidate &candidate,
 }
 
 void Grader::tryOnAll(const DiagnosisCandidate &candidate, const std::vector<FoundPicture> &found,
-                      Named &named) const
+                      const Diagnosis &whole, Named &named) const
 {
     std::int64_t distance = 0;
     for (const FoundPicture &each : found) {
@@ -104,7 +104,7 @@ void Grader::tryOnAll(const DiagnosisCandidate &candidate, const std::vector<Fou
         distance += differingPixels(pictureWith(scene, defects), each.picture);
     }
     const bool isNearer = named.candidates.empty() || distance < named.candidates.front().distance;
-    if (!isNearer)
+    if (!isNearer || !isRelevant(distance, whole.differing))
         return;
     DiagnosisCandidate nearer = candidate;
     nearer.distance = distance;
@@ -147,7 +147,8 @@ bool Grader::search(const std::vector<FoundPicture> &found, const std::stop_toke
     if (whole->isExplained() || whole->verdict != DiagnosisVerdict::Wrong)
         return true;
     const auto others = setsOfOtherMethods(
-        m_pictures, found, [&stop](const JobProgress &) { return !stop.stop_requested(); });
+        m_pictures, found, [&stop](const JobProgress &) { return !stop.stop_requested(); },
+        m_assignment.margin);
     if (!others)
         return false;
     if (!others->empty())
@@ -166,7 +167,7 @@ bool Grader::search(const std::vector<FoundPicture> &found, const std::stop_toke
             continue;
         for (const DiagnosisCandidate &candidate : part->candidates)
             named.explanations[each.scene] += candidate.ids().join(u" and "_s);
-        tryOnAll(part->candidates.front(), found, named);
+        tryOnAll(part->candidates.front(), found, *whole, named);
     }
     return true;
 }

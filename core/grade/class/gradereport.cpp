@@ -107,6 +107,9 @@ void appendFull(const GradedSubmission &submission, QStringList &lines)
         if (scene.explanations)
             lines += u"%1 taken alone is explained by %2"_s.arg(scene.scene,
                                                                 firstOf(*scene.explanations));
+        for (const QString &place :
+             submission.isExplained() ? QStringList() : scene.places.value_or(QStringList()))
+            lines += u"%1: %2"_s.arg(scene.scene, place);
         for (const QString &cause : scene.causes)
             lines += u"%1: most differences vanish if this is done to the whole picture: %2"_s.arg(
                 scene.scene, cause);

@@ -86,6 +86,8 @@ struct GradedScene {
     /// For a submission that no set explains as a whole: the sets that explain this picture alone,
     /// "flat-first and upside-down".
     std::optional<QStringList> explanations = {};
+    std::optional<QStringList> places
+        = {}; ///< of wrong pixels (wrongPlaces); none: nothing is wrong
 
     friend bool operator==(const GradedScene &, const GradedScene &) = default;
 };

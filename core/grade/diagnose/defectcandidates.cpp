@@ -17,13 +17,14 @@ std::vector<DiagnosisCandidate> DefectSearch::candidates() const
     std::vector<SetMatch> matches = m_exact;
     matches.insert(matches.end(), m_open.begin(), m_open.end());
     matches.insert(matches.end(), m_completed.begin(), m_completed.end());
-    std::erase_if(matches,
-                  [this](const SetMatch &match) { return m_matcher.isByChance(match.set); });
+    std::erase_if(matches, [this](const SetMatch &match) {
+        return m_matcher.isByChance(match.set) || m_matcher.drawsNothingTogether(match.set);
+    });
     if (matches.empty() && !m_isExplained) {
-        // A set that leaves more than nine tenths does not count as near.
         for (const SetMatch &near : m_nearest) {
-            const bool isNear = 10 * near.distance <= 9 * m_differing && needsSecond(near);
-            if (isNear && !m_matcher.isDrawnAllTheSame(near.set) && !m_matcher.isByChance(near.set))
+            const bool isNear = isRelevant(near.distance, m_differing) && needsSecond(near);
+            if (isNear && !m_matcher.isDrawnAllTheSame(near.set) && !m_matcher.isByChance(near.set)
+                && !m_matcher.drawsNothingTogether(near.set))
                 matches.push_back(near);
         }
         std::ranges::stable_sort(matches, {}, [this](const SetMatch &near) {

@@ -11,12 +11,14 @@ namespace {
 
 constexpr std::size_t nearestTried = 64; // whether rounding explains the rest of these sets
 constexpr std::size_t nearestPaired = 64; // single defects that are paired with another one
+constexpr std::size_t nearestPairedToExplain = 24;
 constexpr auto unknown = PictureMatcher::unknown;
 
 } // namespace
 
 DefectSearch::DefectSearch(DefectPictures &pictures, PictureMatcher &matcher,
-                           const Diagnosis &diagnosis, const ProgressListener &listener)
+                           const Diagnosis &diagnosis, const ProgressListener &listener,
+                           Sought sought)
     : m_defects(pictures.defects())
     , m_pictures(pictures)
     , m_matcher(matcher)
@@ -27,6 +29,8 @@ DefectSearch::DefectSearch(DefectPictures &pictures, PictureMatcher &matcher,
           m_isExplained
           && (matcher.margin().leavesEdgesOpen() || drawsNearestPixels(pictures.scenes().front())))
     , m_mostOpen(matcher.mostOpen())
+    , m_mostNear(sought == Sought::NearSets ? std::max(m_mostOpen, m_differing / 10) : m_mostOpen)
+    , m_mostPaired(sought == Sought::NearSets ? nearestPaired : nearestPairedToExplain)
 {
     const auto count = std::int64_t(m_defects.size());
     m_sets = count * count; // at most: pairs twice
@@ -41,7 +45,8 @@ std::int64_t DefectSearch::distanceUpTo(const DefectSet &set, std::int64_t limit
 /// Distances from here on do not matter.
 std::int64_t DefectSearch::limit() const
 {
-    return m_nearest.size() < nearestTried ? m_differing : m_nearest.back().distance;
+    return m_nearest.size() < nearestTried ? std::min(m_mostNear + 1, m_differing)
+                                           : m_nearest.back().distance;
 }
 
 void DefectSearch::addNear(const DefectSet &set, std::int64_t distance)
@@ -190,7 +195,9 @@ bool DefectSearch::tryPairs()
         return isDone;
     std::vector<std::int64_t> alone = m_alone;
     std::ranges::sort(alone);
-    const std::int64_t mostPaired = alone[std::min(nearestPaired, alone.size()) - 1];
+    // What explains nothing alone is not near: of rasters all mistakes of colours are such.
+    const std::int64_t mostPaired
+        = std::min(alone[std::min(m_mostPaired, alone.size()) - 1], m_differing - 1);
     // A pair that leaves more is neither due to rounding nor needs both (needsSecond).
     const auto mostOf = [&](const DefectSet &pair) {
         const std::int64_t least = leastAlone(pair);

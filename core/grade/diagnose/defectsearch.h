@@ -8,10 +8,13 @@ namespace pixelplumb {
 /// Tries sets of one and of two defects.
 class DefectSearch {
 public:
+    /// Sets that explain the pictures alone, of which few are tried; or what comes near, too.
+    enum class Sought { Explanations, NearSets };
+
     /// The diagnosis says how many pixels differ, and whether they need an explanation: undecidable
     /// ones do not. Of lines, and where edges are open, only what is no mistake is then named.
     DefectSearch(DefectPictures &pictures, PictureMatcher &matcher, const Diagnosis &diagnosis,
-                 const ProgressListener &listener);
+                 const ProgressListener &listener, Sought sought = Sought::NearSets);
 
     /// False where the listener ended it.
     bool run() { return trySingles() && (m_areRight || tryPairs()); }
@@ -48,6 +51,8 @@ private:
     bool m_areRight; ///< all that differs is open, and no mistake is sought
     bool m_hasSingle = false; ///< one defect explains the pictures
     std::int64_t m_mostOpen; ///< pixels (PictureMatcher::mostOpen)
+    std::int64_t m_mostNear; ///< pixels: sets that leave more are not sought
+    std::size_t m_mostPaired; ///< single defects that are paired with another one
     std::int64_t m_sets = 0, m_tried = 0;
     std::vector<std::int64_t> m_alone; ///< distances, by defect
     std::vector<SetMatch> m_exact, m_open;

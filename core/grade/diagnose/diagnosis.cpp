@@ -6,6 +6,7 @@
 #include "core/grade/diagnose/undecidable.h"
 #include "core/grade/pictures/picturecause.h"
 #include "core/grade/pictures/picturediff.h"
+#include "core/grade/pictures/wrongplaces.h"
 #include "core/number/failure.h"
 
 #include <algorithm>
@@ -14,18 +15,18 @@ namespace pixelplumb {
 
 namespace {
 
-/// How many of the differing pixels lie on ties or within the margin.
-std::int64_t undecidableIn(DefectPictures &pictures, std::span<const FoundPicture> found,
-                           const Margin &margin)
+/// How many of the differing pixels lie on ties or within the margin, and where the others are.
+void judge(DefectPictures &pictures, std::span<const FoundPicture> found, const Margin &margin,
+           Diagnosis &diagnosis)
 {
-    std::int64_t undecidable = 0;
     for (const FoundPicture &each : found) {
+        const Scene &scene = pictures.scenes()[each.scene];
         const Picture &right = *pictures.picture(each.scene, {});
-        const auto open
-            = undecidablePixels(pictures.scenes()[each.scene], right, each.picture, margin);
-        undecidable += differenceOf(right, each.picture, open).count(Difference::Undecidable);
+        const auto open = undecidablePixels(scene, right, each.picture, margin);
+        const PictureDiff diff = differenceOf(right, each.picture, open);
+        diagnosis.undecidable += diff.count(Difference::Undecidable);
+        diagnosis.places.push_back(wrongPlaces(diff, right, scene.frame));
     }
-    return undecidable;
 }
 
 /// False where the listener ended it.
@@ -39,7 +40,7 @@ bool diagnoseOnItsBackground(DefectPictures &pictures, std::span<const FoundPict
         diagnosis.verdict = DiagnosisVerdict::Right;
         return true;
     }
-    diagnosis.undecidable = undecidableIn(pictures, found, margin);
+    judge(pictures, found, margin, diagnosis);
     if (diagnosis.undecidable == diagnosis.differing)
         diagnosis.verdict = DiagnosisVerdict::Undecidable;
     DefectSearch search(pictures, matcher, diagnosis, listener);
@@ -65,6 +66,15 @@ std::optional<Colour> otherBackgroundOf(DefectPictures &pictures,
         other = own;
     }
     return other;
+}
+
+/// Where no defect is named beside what was read off the pictures, but that alone leaves little, an
+/// empty set says what it leaves.
+void addRest(Diagnosis &beside, const Diagnosis &asAsked)
+{
+    const std::int64_t left = beside.differing - beside.undecidable;
+    if (beside.candidates.empty() && isRelevant(left, asAsked.differing))
+        beside.candidates.push_back({{}, left, beside.undecidable});
 }
 
 /// Replaces the other background by the scenes' own, except where its colour is rightly drawn.
@@ -124,9 +134,9 @@ bool diagnoseOnAnyBackground(DefectPictures &pictures, std::span<const FoundPict
     if (!diagnoseOnItsBackground(pictures, onRightBackground(pictures, found, *other), listener,
                                  margin, beside))
         return false;
+    addRest(beside, diagnosis);
     if (beside.candidates.empty())
-        beside.candidates.push_back(
-            {{}, beside.differing - beside.undecidable, beside.undecidable});
+        return true;
     const Defect drawnOnIt = drawnOnOther(*other, backgroundsOf(pictures, found));
     for (DiagnosisCandidate &candidate : beside.candidates)
         candidate.defects.push_back(drawnOnIt);
@@ -161,17 +171,17 @@ bool diagnoseUnderAnyConvention(DefectPictures &pictures, std::span<const FoundP
     Diagnosis beside;
     if (!diagnoseOnItsBackground(readPictures, found, listener, margin, beside))
         return false;
+    diagnosis.work = readPictures.work();
     std::erase_if(beside.candidates, [&](const DiagnosisCandidate &candidate) {
         return undoes(candidate, read->told);
     });
+    addRest(beside, diagnosis);
     if (beside.candidates.empty())
-        beside.candidates.push_back(
-            {{}, beside.differing - beside.undecidable, beside.undecidable});
+        return true;
     for (DiagnosisCandidate &candidate : beside.candidates)
         candidate.defects.insert(candidate.defects.begin(), read->told.begin(), read->told.end());
     diagnosis.candidates = std::move(beside.candidates);
     diagnosis.sampled = beside.sampled;
-    diagnosis.work = readPictures.work();
     return true;
 }
 
@@ -255,7 +265,7 @@ std::optional<Diagnosis> diagnose(std::span<const Submission> submissions,
         && diagnosis->verdict == DiagnosisVerdict::Wrong;
     if (!isUnexplained)
         return diagnosis;
-    auto others = setsOfOtherMethods(pictures, found, listener);
+    auto others = setsOfOtherMethods(pictures, found, listener, margin);
     if (!others)
         return std::nullopt;
     if (!others->empty()) {

@@ -40,10 +40,12 @@ struct DiagnosisCandidate {
     QStringList sentences(QString Defect::*words) const;
 };
 
-/// Whether a set of defects is worth mentioning: it explains at least half of what differs.
+/// Whether a set of defects that does not explain the pictures is worth mentioning: it leaves at
+/// most a tenth of what differs. Sets that leave more were mostly wrong when real programs were
+/// tried: they misled their readers.
 constexpr bool isRelevant(std::int64_t distance, std::int64_t differing)
 {
-    return 2 * distance <= differing;
+    return 10 * distance <= differing;
 }
 
 /// "1 pixel", "3 pixels".
@@ -70,11 +72,13 @@ struct Diagnosis {
     DiagnosisVerdict verdict = DiagnosisVerdict::Wrong;
     std::int64_t differing = 0; ///< pixels in all pictures, including undecidable ones
     std::int64_t undecidable = 0; ///< of these, as differenceOf() counts them
+    std::vector<QStringList> places = {}; ///< of the others, by picture (wrongPlaces)
     /// Every set of one or two defects whose pictures equal the student's, except supersets of
     /// another. Where there is none: every set that leaves only undecidable pixels, followed by the
     /// sets that contain one of these and equal the pictures. Else, if the pictures are wrong, at
-    /// most five of the nearest sets: single defects, and pairs of a defect that is among the
-    /// nearest alone with another, if they leave at most three quarters of what it leaves.
+    /// most five of the nearest relevant sets (isRelevant): single defects, and pairs of a defect
+    /// that is among the nearest alone with another, if they leave at most three quarters of what
+    /// it leaves.
     std::vector<DiagnosisCandidate> candidates;
     /// Where pictures are large and no set equals them: by which part sets were refused that leave
     /// clearly more there. Which sets equal the pictures is known for certain.
@@ -98,12 +102,12 @@ std::optional<Diagnosis> diagnose(std::span<const Submission> submissions,
 std::optional<Diagnosis> diagnose(DefectPictures &pictures, std::span<const FoundPicture> found,
                                   const ProgressListener &listener = {}, const Margin &margin = {});
 
-/// The sets that equal the pictures where triangles are drawn by another method than the scenes':
-/// along columns, along rows or by edge tests; each begins with that method, as a defect. None
-/// where the listener ended it.
+/// The sets that explain the pictures, up to the margin, where triangles are drawn by another
+/// method than the scenes': along columns, along rows or by edge tests; each begins with that
+/// method, as a defect. None where the listener ended it.
 std::optional<std::vector<DiagnosisCandidate>> setsOfOtherMethods(
     const DefectPictures &pictures, std::span<const FoundPicture> found,
-    const ProgressListener &listener);
+    const ProgressListener &listener, const Margin &margin);
 
 /// None where the runs are equal.
 std::optional<PartingStep> partingStepOf(const Scene &right, const Scene &defective);

@@ -42,7 +42,7 @@ Defect drawnByMethod(const char *id)
 
 std::optional<std::vector<DiagnosisCandidate>> setsOfOtherMethods(
     const DefectPictures &pictures, std::span<const FoundPicture> found,
-    const ProgressListener &listener)
+    const ProgressListener &listener, const Margin &margin)
 {
     std::vector<DiagnosisCandidate> sets;
     for (const char *id : {"column-scan", "row-walk", "edge-equations"}) {
@@ -50,14 +50,15 @@ std::optional<std::vector<DiagnosisCandidate>> setsOfOtherMethods(
         if (scenes.empty())
             continue;
         DefectPictures others(std::move(scenes));
-        PictureMatcher matcher(others, found, {Leeway::Strict});
-        Diagnosis equal; // nothing but what equals the pictures is sought
-        equal.verdict = DiagnosisVerdict::Undecidable;
-        equal.differing = matcher.distance({});
-        DefectSearch search(others, matcher, equal, listener);
+        PictureMatcher matcher(others, found, margin);
+        Diagnosis other;
+        other.differing = matcher.distance({});
+        DefectSearch search(others, matcher, other, listener, DefectSearch::Sought::Explanations);
         if (!search.run())
             return std::nullopt;
         for (DiagnosisCandidate &candidate : search.candidates()) {
+            if (candidate.distance > 0)
+                continue;
             candidate.defects.insert(candidate.defects.begin(), drawnByMethod(id));
             sets.push_back(std::move(candidate));
         }

@@ -181,6 +181,19 @@ bool PictureMatcher::isDrawnAllTheSame(const DefectSet &set)
     return false;
 }
 
+bool PictureMatcher::drawsNothingTogether(const DefectSet &set)
+{
+    const auto drawsNothing = [this](const DefectSet &some) {
+        return std::ranges::all_of(m_found, [&](const FoundPicture &each) {
+            const auto picture = m_pictures.picture(each.scene, some);
+            const Picture empty = emptyPicture(m_pictures.scenes()[each.scene].frame);
+            return picture && differingPixels(empty, *picture, 1) == 0;
+        });
+    };
+    return set.second && drawsNothing(set) && !drawsNothing({set.first})
+        && !drawsNothing({set.second});
+}
+
 bool PictureMatcher::leavesFewLevels(const DefectSet &set)
 {
     constexpr std::size_t handful = 4;

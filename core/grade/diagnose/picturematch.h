@@ -58,6 +58,10 @@ public:
     /// picture differs from the set's at one of these.
     bool isDrawnAllTheSame(const DefectSet &set);
 
+    /// Whether nothing is to be seen of any scene because of two defects, each of which alone
+    /// leaves something: a program that draws nothing has one mistake.
+    bool drawsNothingTogether(const DefectSet &set);
+
     /// Whether a smaller set, or none, leaves only a handful of levels that are off by one: so
     /// little is explained by many a defect, and proves none.
     bool isByChance(const DefectSet &set);

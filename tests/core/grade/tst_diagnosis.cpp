@@ -127,37 +127,6 @@ private slots:
         }));
     }
 
-    void aMistakeOfAnotherMethodIsNamedByIt()
-    {
-        Scene scene = sceneWith({triangleAt(5, 5, 30, 8, 12, 33)});
-        Scene byRows = scene;
-        byRows.method = "row-walk";
-        const auto known = defectsFor(byRows);
-        const auto defect = std::ranges::find(known, u"whole-slopes"_s, &Defect::id);
-        QVERIFY(defect != known.end());
-        const Submission submission{scene, pictureWith(byRows, std::span(&*defect, 1))};
-
-        const auto diagnosis = diagnose(std::span(&submission, 1));
-
-        QVERIFY(diagnosis->isExplained());
-        QCOMPARE(diagnosis->candidates.front().ids().front(), u"drawn-by-row-walk"_s);
-    }
-
-    void whatNoDefectExplainsHasItsNearestOnes()
-    {
-        const std::vector<Scene> scenes = probeScenes();
-        const Defect defect = defectNamed(scenes.front(), u"unsorted-colours"_s);
-        std::vector<Submission> submissions = submissionsOf(scenes, {defect});
-        submissions.front().picture.colours[5] = {{1, 2, 3}}; // a colour that no program would
-                                                              // write
-        const Diagnosis diagnosis = *diagnose(submissions);
-        QCOMPARE(diagnosis.verdict, DiagnosisVerdict::Wrong);
-        QVERIFY(!diagnosis.isExplained());
-        QVERIFY(diagnosis.candidates.size() <= 5);
-        QCOMPARE(diagnosis.candidates.front().distance, std::int64_t(1));
-        QVERIFY(isAmong(diagnosis, defect.id));
-    }
-
     void conventionsAreReadOffAPictureBeforeMistakesAreSought()
     {
         std::vector<Submission> submissions;
@@ -203,23 +172,6 @@ private slots:
             QCOMPARE(diagnosis.candidates.front().defects.size(), 2U);
             QCOMPARE(diagnosis.candidates.front().defects[0].id, pair[0].id);
             std::ranges::reverse(submissions);
-        }
-    }
-
-    void aPairIsNoNearerForWhatItDoesNotNeed()
-    {
-        const std::vector<Scene> scenes = probeScenes();
-        std::vector<Submission> submissions
-            = submissionsOf(scenes, {defectNamed(scenes.front(), u"upside-down"_s)});
-        submissions.front().picture.colours[5] = {{1, 2, 3}};
-        const Diagnosis diagnosis = *diagnose(submissions);
-        QVERIFY(!diagnosis.isExplained());
-        for (const DiagnosisCandidate &candidate : diagnosis.candidates) {
-            const bool hasPart = candidate.defects.size() == 2
-                && std::ranges::any_of(candidate.defects, [](const Defect &defect) {
-                                     return defect.id == u"upside-down"_s;
-                                 });
-            QVERIFY(!hasPart); // one pixel remains with it, and with it and another
         }
     }
 

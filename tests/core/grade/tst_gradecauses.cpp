@@ -124,7 +124,7 @@ private slots:
 
     void identicalUnexplainedPicturesShareACause()
     {
-        const std::vector<GradedCandidate> nearA{candidate({u"a"_s}, 20)};
+        const std::vector<GradedCandidate> nearA{candidate({u"a"_s}, 10)};
         const std::vector<GradedCandidate> farA{candidate({u"a"_s}, 90)};
         GradeReport report;
         report.submissions
@@ -143,9 +143,46 @@ private slots:
                 .join(u'\n');
         };
         QVERIFY(told(1).contains(u"close to a, 1 pixel left"_s));
-        QVERIFY(told(50).contains(u"Done."_s));
-        QVERIFY(!told(51).contains(u"close to"_s));
-        QVERIFY(!told(51).contains(u"Done."_s));
+        QVERIFY(told(10).contains(u"Done."_s));
+        QVERIFY(!told(11).contains(u"close to"_s));
+        QVERIFY(!told(11).contains(u"Done."_s));
+    }
+
+    void whereNothingExplainsItWrongPixelsHaveTheirPlaces()
+    {
+        const auto told = [](std::vector<GradedCandidate> candidates) {
+            GradedSubmission graded = wrong("ann", std::move(candidates));
+            graded.scenes = {GradedScene()};
+            graded.scenes[0].scene = u"probe"_s;
+            graded.scenes[0].places = QStringList{u"1 pixel is missing: there"_s};
+            return sentencesFor(graded, HintLevel::Full).join(u'\n');
+        };
+        QVERIFY(told({}).contains(u"probe: 1 pixel is missing: there"_s));
+        QVERIFY(!told({candidate({u"a"_s})}).contains(u"there"_s));
+    }
+
+    /// In 16.16 alone a scene is explained; a pixel that no program would draw spoils another.
+    void whatExplainsOneSceneIsTriedOnAll()
+    {
+        const QTemporaryDir folder;
+        Assignment assignment = exampleAssignment();
+        assignment.margin = {Leeway::Strict};
+        const QString drawn = folder.filePath(u"subs/ann"_s);
+        QVERIFY(deliverIn(Arithmetic::Fixed16, drawn, assignment, {u"unsorted-colours"_s}));
+        const QString file = u"%1/%2.png"_s.arg(drawn, assignment.scenes.back().name);
+        QImage spoiled(file);
+        spoiled.setPixel(0, 0, qRgb(1, 2, 3));
+        QVERIFY(spoiled.save(file));
+
+        const auto report = gradeFolder(
+            {folder.filePath(u"subs"_s), folder.filePath(u"results"_s), u"1"_s, 1}, assignment);
+
+        QVERIFY(report.isOk() && report->has_value());
+        const GradedSubmission &graded = (*report)->submissions.front();
+        QVERIFY(!graded.candidates.empty());
+        QCOMPARE(graded.candidates.front().distance, std::int64_t(1));
+        QCOMPARE(graded.candidates.front().arithmetic, u"fixed16.16"_s);
+        QVERIFY(graded.candidates.front().defects.contains(u"unsorted-colours"_s));
     }
 
     void aRasterIsRightAsFarAsItTells()

@@ -2,7 +2,7 @@
 #include "core/frame/framebuffer.h"
 #include "core/geometry/seededrandom.h"
 #include "core/grade/diagnose/undecidable.h"
-#include "core/grade/pictures/picturediff.h"
+#include "core/grade/pictures/wrongplaces.h"
 #include "core/scene/files/fileaccess.h"
 #include "tests/support/programs/programrun.h"
 #include "tests/support/testprogram.h"
@@ -60,6 +60,41 @@ class TestPictureDiff : public QObject {
     Q_OBJECT
 
 private slots:
+    void theSideOfWrongPixelsIsTold_data()
+    {
+        QTest::addColumn<QByteArray>("found");
+        QTest::addColumn<QStringList>("places");
+        const auto row = [](const char *name, const char *found, const QStringList &places) {
+            QTest::newRow(name) << QByteArray(found) << places;
+        };
+        // The right one:      "......" / ".###.." / ".####." / ".###.." / "......", rows 4 … 0
+        row("right", "......\n.###..\n.####.\n.###..\n......\n", {});
+        row("right ends missing", "......\n.##...\n.###..\n.##...\n......\n",
+            {u"3 pixels are missing: all at the right ends of their rows, in columns 3 to 4 and "
+             u"rows "
+             "1 to 3"_s});
+        row("a column before the first", "......\n####..\n#####.\n####..\n......\n",
+            {u"3 pixels are extra: all left of what their rows should have, in column 0, rows 1 to "
+             "3"_s});
+        row("a row above", "..##..\n.###..\n.####.\n.###..\n......\n",
+            {u"2 pixels are extra: all above what their columns should have, in row 4, columns 2 "
+             "to 3"_s});
+        row("a hole", "......\n.###..\n.#.##.\n.###..\n......\n",
+            {u"1 pixel is missing: column 2, row 2"_s});
+    }
+    void theSideOfWrongPixelsIsTold()
+    {
+        QFETCH(QByteArray, found);
+        QFETCH(QStringList, places);
+        const auto right = parsePicture("......\n.###..\n.####.\n.###..\n......\n", u"right"_s);
+        const auto picture = parsePicture(found, u"found"_s);
+        QVERIFY(right.isOk() && picture.isOk());
+        FrameSpec frame;
+        frame.width = 6;
+        frame.height = 5;
+        QCOMPARE(wrongPlaces(differenceOf(*right, *picture), *right, frame), places);
+    }
+
     void everySceneIsItsOwnPicture_data()
     {
         QTest::addColumn<QString>("method");
