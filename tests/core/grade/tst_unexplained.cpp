@@ -1,12 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/grade/diagnose/diagnosis.h"
-#include "core/grade/diagnose/frameconvention.h"
 #include "core/grade/pictures/picturediff.h"
 #include "tests/support/scanning.h"
 #include "tests/support/scenes/probescenes.h"
 #include "tests/support/testprogram.h"
 
-#include <QSet>
 #include <QTest>
 
 #include <algorithm>
@@ -140,33 +138,6 @@ private slots:
                                  });
             QVERIFY(!hasPart); // one pixel remains with it, and with it and another
         }
-    }
-
-    /// The open rule makes the picture nearer, since a triangle that is not drawn has samples on
-    /// its edges; with the closed one again it would explain all.
-    void noCandidateUndoesAConventionThatItBeginsWith()
-    {
-        Scene scene = sceneWith({triangleAt(2, 2, 34, 2, 2, 34), triangleAt(38, 9, 37, 36, 20, 38),
-                                 triangleAt(3, 37, 9, 38, 18, 24)});
-        Scene read = sceneIn(scene, FrameConvention::OtherOrigin);
-        const std::vector<Defect> known = defectsFor(read);
-        int told = 0;
-        for (const char *culled : {"culls-clockwise", "culls-counter-clockwise"}) {
-            const auto defect = std::ranges::find(known, QLatin1String(culled), &Defect::id);
-            QVERIFY(defect != known.end());
-            const Picture picture = pictureWith(read, std::span(&*defect, 1));
-            const auto diagnosis = diagnose(std::vector{Submission{scene, picture}});
-            for (const DiagnosisCandidate &candidate : diagnosis->candidates) {
-                QSet<QString> choices;
-                for (const Defect &each : candidate.defects) {
-                    QVERIFY2(each.choice.isEmpty() || !choices.contains(each.choice),
-                             qPrintable(candidate.ids().join(u' ')));
-                    choices.insert(each.choice);
-                }
-                ++told;
-            }
-        }
-        QVERIFY(told > 0);
     }
 
     void twoMistakesDoNotMeanThatNothingIsDrawn()
