@@ -55,13 +55,6 @@ std::optional<QString> noteOn(const std::vector<const SubmittedFile *> &files,
                                                 others.size() == 1 ? u"is"_s : u"are"_s);
 }
 
-/// "graded picture.png, the only picture; the assignment asked for small.png".
-QString noteOnName(const SubmittedFile &file, const AssignedScene &scene)
-{
-    return u"graded %1, the only picture; the assignment asked for %2.png"_s.arg(
-        escapedName(file.name), scene.name);
-}
-
 /// Why no file qualifies: an entry with a suitable name is no regular file. Empty: there is no such
 /// entry.
 template <class IsSuch>
@@ -122,8 +115,16 @@ QString whyNothing(const SubmissionEntry &entry, const Assignment &assignment,
 {
     if (const QString refusal = refusedPicture(entry, scene); !refusal.isEmpty())
         return refusal;
-    return assignment.program ? missingProgram(entry, *assignment.program)
-                              : u"there is no picture %1.png"_s.arg(scene.name);
+    if (assignment.program)
+        return missingProgram(entry, *assignment.program);
+    QStringList pictures;
+    for (const SubmittedFile &file : entry.files()) {
+        if (hasPictureEnd(file.name))
+            pictures += escapedName(file.name);
+    }
+    return pictures.size() < 2 ? u"there is no picture %1.png"_s.arg(scene.name)
+                               : u"there are %1 pictures: %2; none is %3.png"_s.arg(pictures.size())
+                                     .arg(fewNames(pictures), scene.name);
 }
 
 /// The only file for which isSuch is true.
@@ -178,8 +179,8 @@ std::vector<Delivery> deliveriesOf(const SubmissionEntry &entry, const Assignmen
                             [](const SubmittedFile &each) { return hasPictureEnd(each.name); });
         if (file) {
             deliveries.push_back(deliveredPicture(entry, scene, *file));
-            deliveries.back().note = files.empty() ? noteOnName(*file, scene)
-                                                   : noteOn(files, refusedPicture(entry, scene));
+            if (!files.empty()) // of one scene's assignment the only picture may have any name
+                deliveries.back().note = noteOn(files, refusedPicture(entry, scene));
         } else {
             refuse(deliveries.emplace_back(), PictureLack::NotThere,
                    whyNothing(entry, assignment, scene));

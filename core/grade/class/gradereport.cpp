@@ -56,7 +56,7 @@ void appendClass(const GradedSubmission &submission, QStringList &lines)
 void appendNotes(const GradedSubmission &submission, QStringList &lines)
 {
     if (submission.convention)
-        lines += sentenceOf(*submission.convention);
+        lines += sentenceOf(*submission.convention) + u"; judged by that convention"_s;
     for (const GradedScene &scene : submission.scenes) {
         if (scene.note)
             lines += u"%1: %2"_s.arg(scene.scene, *scene.note);

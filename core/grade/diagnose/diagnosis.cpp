@@ -154,23 +154,35 @@ bool undoes(const DiagnosisCandidate &candidate, const std::vector<Defect> &read
     });
 }
 
-/// Where nothing explains the pictures as the scenes ask for them, they are judged by the
-/// conventions that are read off them, which are told first. False where the listener ended it.
+/// Whether whole pictures are upside down or half a pixel off, which a convention may be.
+bool isTurnedOrMoved(const Diagnosis &diagnosis)
+{
+    return std::ranges::any_of(diagnosis.candidates.front().defects, [](const Defect &defect) {
+        return defect.id == u"upside-down"_s || defect.choice == u"centre"_s;
+    });
+}
+
+/// Where nothing explains the pictures as the scenes ask for them, or what would also be a
+/// convention, they are judged by the conventions that are read off them, which are told first.
+/// False where the listener ended it.
 bool diagnoseUnderAnyConvention(DefectPictures &pictures, std::span<const FoundPicture> found,
                                 const ProgressListener &listener, const Margin &margin,
                                 Diagnosis &diagnosis)
 {
     if (!diagnoseOnAnyBackground(pictures, found, listener, margin, diagnosis))
         return false;
-    const bool isUnexplained
-        = diagnosis.verdict == DiagnosisVerdict::Wrong && !diagnosis.isExplained();
-    auto read = isUnexplained ? readConvention(pictures, found) : std::nullopt;
+    const bool isWrong = diagnosis.verdict == DiagnosisVerdict::Wrong;
+    const bool isExplained = diagnosis.isExplained();
+    const bool isSought = isWrong && (!isExplained || isTurnedOrMoved(diagnosis));
+    auto read = isSought ? readConvention(pictures, found) : std::nullopt;
     if (!read)
         return true;
     DefectPictures readPictures(std::move(read->scenes));
     Diagnosis beside;
     if (!diagnoseOnItsBackground(readPictures, found, listener, margin, beside))
         return false;
+    if (isExplained && beside.verdict == DiagnosisVerdict::Wrong)
+        return true; // a convention is told in place of mistakes only where it is all
     diagnosis.work = readPictures.work();
     std::erase_if(beside.candidates, [&](const DiagnosisCandidate &candidate) {
         return undoes(candidate, read->told);
@@ -178,8 +190,14 @@ bool diagnoseUnderAnyConvention(DefectPictures &pictures, std::span<const FoundP
     addRest(beside, diagnosis);
     if (beside.candidates.empty())
         return true;
-    for (DiagnosisCandidate &candidate : beside.candidates)
+    for (DiagnosisCandidate &candidate : beside.candidates) {
+        const bool isRight = candidate.defects.empty() && candidate.distance == 0;
         candidate.defects.insert(candidate.defects.begin(), read->told.begin(), read->told.end());
+        if (isRight)
+            candidate.defects.back().forAssistant += read->told.size() == 1
+                ? u" The pictures are right under that convention."_s
+                : u" The pictures are right under these conventions."_s;
+    }
     diagnosis.candidates = std::move(beside.candidates);
     diagnosis.sampled = beside.sampled;
     return true;

@@ -37,18 +37,17 @@ QString sentenceOf(FrameConvention convention)
     const QString origin = u"y is counted from the other side than asked"_s;
     const QString centre
         = u"samples stand at the other pixel centre, half a pixel from where asked"_s;
-    const QString judged = u"; judged by that convention"_s;
     switch (convention) {
     case FrameConvention::AsAsked:
         return {};
     case FrameConvention::OtherOrigin:
-        return origin + judged;
+        return origin;
     case FrameConvention::OtherCentre:
-        return centre + judged;
+        return centre;
     case FrameConvention::OtherBoth:
         break;
     }
-    return origin + u", and "_s + centre + judged;
+    return origin + u", and "_s + centre;
 }
 
 } // namespace pixelplumb

@@ -31,11 +31,13 @@ Defect drawnByMethod(const char *id)
             .forStudent = u"Which method is asked for?"_s,
             .forAssistant
             = u"It is drawn by another method than the scenes', as by %1."_s.arg(name),
-            .changeScene = [id](Scene &scene) {
-                scene.method = id;
-                scene.settings.variants = {};
-                return true;
-            }};
+            .changeScene =
+                [id](Scene &scene) {
+                    scene.method = id;
+                    scene.settings.variants = {};
+                    return true;
+                },
+            .isRightAlone = true};
 }
 
 } // namespace

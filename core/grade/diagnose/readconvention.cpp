@@ -59,9 +59,7 @@ std::vector<Reading> firstPixelsOf()
     return {std::nullopt,
             readingOf("counted-from-1",
                       "Which number has the first pixel of a row, and the first row?",
-                      u"Columns and rows are counted from 1, not from 0; judged by "
-                      "that convention."_s,
-                      countFromOne)};
+                      u"Columns and rows are counted from 1, not from 0."_s, countFromOne)};
 }
 
 /// The scene's own rule, or rounding, and the others, as the catalogue tells them.

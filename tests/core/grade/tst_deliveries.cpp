@@ -94,7 +94,7 @@ private slots:
                  "all the same"_s);
     }
 
-    void aPictureOfAnotherNameIsSaidToBeTaken()
+    void theOnlyPictureIsTakenWhateverItsName()
     {
         const auto assignment = readAssignment(assignmentWith({}));
         const QTemporaryDir folder;
@@ -106,9 +106,12 @@ private slots:
         const Delivery delivery = deliveriesOf(entry, *assignment).front();
 
         QCOMPARE(delivery.fault, QString());
-        QCOMPARE(delivery.note.value_or(QString()),
-                 "graded final.txt, the only picture; the assignment asked for "
-                 "one.png");
+        QCOMPARE(delivery.file, u"final.txt"_s);
+        QCOMPARE(delivery.note, std::nullopt);
+        QVERIFY(!writeFile(folder.filePath(u"ann/draft.txt"_s), raster));
+        const SubmissionEntry both(QFile::encodeName(folder.path()), "ann");
+        const QString fault = deliveriesOf(both, *assignment).front().fault;
+        QCOMPARE(fault, u"there are 2 pictures: draft.txt, final.txt; none is one.png"_s);
     }
 
     void severalProgramsAreNotCalledNone()

@@ -127,6 +127,19 @@ private slots:
         }));
     }
 
+    void aPictureOfAnotherConventionIsToldAsRightUnderIt()
+    {
+        std::vector<Submission> submissions;
+        for (const Scene &scene : probeScenes())
+            submissions.push_back({scene, pictureOf(sceneIn(scene, FrameConvention::OtherBoth))});
+        const Diagnosis diagnosis = *diagnose(submissions);
+        QVERIFY(diagnosis.isExplained());
+        QCOMPARE(diagnosis.candidates.front().ids(), QStringList{"other-origin-and-centre"});
+        const QString told
+            = diagnosis.candidates.front().sentences(&Defect::forAssistant).join(u' ');
+        QVERIFY2(told.endsWith("right under that convention."), qPrintable(told));
+    }
+
     void conventionsAreReadOffAPictureBeforeMistakesAreSought()
     {
         std::vector<Submission> submissions;
