@@ -1946,12 +1946,12 @@
         <translation>Bei jedem Pixel stimmen alle überein.</translation>
     </message>
     <message>
-        <source>Pixels that differ: %1. Click one in the agreement map to see why.</source>
-        <translation>Abweichende Pixel: %1. Ein Klick auf eines in der Karte der Übereinstimmung nennt den Grund.</translation>
+        <source>Pixels that differ: %1. Click one in the picture “Finished” to see why.</source>
+        <translation>Abweichende Pixel: %1. Ein Klick auf eines im Bild „Fertig“ nennt den Grund.</translation>
     </message>
     <message>
-        <source>Pixel (%1, %2): all agree. Pixels that differ: %3; click one in the agreement map to see why.</source>
-        <translation>Pixel (%1, %2): Alle stimmen überein. Abweichende Pixel: %3; ein Klick auf eines in der Karte der Übereinstimmung nennt den Grund.</translation>
+        <source>Pixel (%1, %2): all agree. Pixels that differ: %3; click one in the picture “Finished” to see why.</source>
+        <translation>Pixel (%1, %2): Alle stimmen überein. Abweichende Pixel: %3; ein Klick auf eines im Bild „Fertig“ nennt den Grund.</translation>
     </message>
     <message>
         <source>Pixel (%1, %2): %3 of %4 agree. %5: %6</source>
@@ -3529,8 +3529,8 @@
         <translation>Esc</translation>
     </message>
     <message>
-        <source>Give up the drag, or the vertices that wait</source>
-        <translation>Das Ziehen aufgeben, oder die wartenden Eckpunkte</translation>
+        <source>Cancel the drag, or discard unfinished vertices</source>
+        <translation>Das Ziehen abbrechen oder unfertige Eckpunkte verwerfen</translation>
     </message>
     <message>
         <source>Keys and mouse</source>
@@ -5021,8 +5021,8 @@
         <translation>Zeiten</translation>
     </message>
     <message>
-        <source>speed: relative to the plain kernel; of memory: how close the time is to memset over as many pixels</source>
-        <translation>Tempo: wie viele Male das des einfachen Kerns; vom Speicher: wie nahe die Zeit der von memset über ebenso viele Pixel kommt</translation>
+        <source>speed: relative to the plain kernel; of memset: how close the time is to memset over as many pixels</source>
+        <translation>Tempo: wie viele Male das des einfachen Kerns; von memset: wie nahe die Zeit der von memset über ebenso viele Pixel kommt</translation>
     </message>
     <message>
         <source>Fast kernels used</source>
@@ -5072,8 +5072,8 @@
         <translation>Tempo</translation>
     </message>
     <message>
-        <source>of memory</source>
-        <translation>vom Speicher</translation>
+        <source>of memset</source>
+        <translation>von memset</translation>
     </message>
     <message>
         <source>plain kernel</source>
@@ -5578,8 +5578,12 @@
         <translation>, falsche Spalten: %1, die erste bei x = %2</translation>
     </message>
     <message>
-        <source>, none wrong</source>
-        <translation>, keine falsch</translation>
+        <source>, no column wrong</source>
+        <translation>, keine Spalte falsch</translation>
+    </message>
+    <message>
+        <source>, no row wrong</source>
+        <translation>, keine Zeile falsch</translation>
     </message>
     <message>
         <source>Triangle %1. </source>
@@ -5752,8 +5756,8 @@
         <translation>Welches Pixel des Bildes wird als nächstes geschrieben? Sein x, y eingeben, es mit der rechten Maustaste wählen oder mit den Pfeiltasten hingehen und „Prüfen“ drücken.</translation>
     </message>
     <message>
-        <source>Nothing is drawn yet. Draw something, and its numbers are asked for.</source>
-        <translation>Noch ist nichts gezeichnet: gefragt wird nach dem, was hier gezeichnet wird.</translation>
+        <source>Nothing is drawn yet. Draw a triangle: Predict then asks for its numbers.</source>
+        <translation>Noch ist nichts gezeichnet. Ein Dreieck zeichnen: „Vorhersagen“ fragt dann nach seinen Zahlen.</translation>
     </message>
     <message>
         <source>This number is the same along the whole primitive and stands in earlier rows of the table, so the answer does not count.</source>

@@ -79,7 +79,7 @@ QString mouseRows()
         + row(KeySheet::tr("Hold Shift alone"),
               KeySheet::tr("See the truth, or what a student should have drawn, after %1 s")
                   .arg(double(peekDelay.count()) / 1000))
-        + row(KeySheet::tr("Esc"), KeySheet::tr("Give up the drag, or the vertices that wait"));
+        + row(KeySheet::tr("Esc"), KeySheet::tr("Cancel the drag, or discard unfinished vertices"));
 }
 
 /// The canvas keys that no menu shows: they draw without a mouse.

@@ -207,8 +207,8 @@ void PredictPanel::ask()
     } else {
         m_question->setText(
             m_playhead->end() == 0
-                ? tr("Nothing is drawn yet. Draw something, and its numbers are asked "
-                     "for.")
+                ? tr("Nothing is drawn yet. Draw a triangle: Predict then asks for its "
+                     "numbers.")
                 : tr("The run has ended, so there is nothing to predict: step back, "
                      "or go to the start."));
     }

@@ -96,7 +96,7 @@ private:
     static QString openTitle(const GradedSubmission &submission, const QString &sets)
     {
         const QString title = submission.lacksColours() ? rasterText(submission) : u"full points"_s;
-        const QString why = u"another fill rule or rounding may explain it"_s;
+        const QString why = u"a right program may draw this, too"_s;
         return title + u": "_s + (sets.isEmpty() ? why : u"like %1, but %2"_s.arg(sets, why));
     }
 

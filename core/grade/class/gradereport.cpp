@@ -48,7 +48,7 @@ void appendClass(const GradedSubmission &submission, QStringList &lines)
             lines += u"%1: not right in %2"_s.arg(scene.scene, failed.join(u" and "_s));
     }
     if (lines.isEmpty() && submission.verdict == GradeVerdict::Undecidable)
-        lines += u"right: another fill rule or rounding may explain the pixels that differ"_s;
+        lines += u"right within the leeway: a right program may draw this, too"_s;
     else if (lines.isEmpty())
         lines += nameOf(submission.verdict);
 }

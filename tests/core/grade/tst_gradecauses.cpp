@@ -215,8 +215,8 @@ private slots:
         report.submissions = {open, openSet, raster, wrong("dea", sets)};
         QCOMPARE(clusterLines(report),
                  QStringList(
-                     {u"1: a"_s, u"1: full points: another fill rule or rounding may explain it"_s,
-                      u"1: full points: like a, but another fill rule or rounding may explain it"_s,
+                     {u"1: a"_s, u"1: full points: a right program may draw this, too"_s,
+                      u"1: full points: like a, but a right program may draw this, too"_s,
                       u"1: undecidable in coverage (a raster has no colours): another fill rule or "
                       "rounding may explain it"_s}));
     }

@@ -132,7 +132,7 @@ QString PrecisionPanel::summary() const
                         .arg(std::ranges::count_if(errors.spans, isWrong))
                         .arg(first);
         } else {
-            part += tr(", none wrong");
+            part += isRows ? tr(", no row wrong") : tr(", no column wrong");
         }
         parts.append(part);
     }

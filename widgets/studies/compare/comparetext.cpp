@@ -105,14 +105,14 @@ QString pixelText(const Contest &contest, const std::optional<QPoint> &picked)
         return ComparePanel::tr("All agree on every pixel.");
     if (!picked || !contest.runs.front().picture.view().contains(picked->x(), picked->y()))
         return ComparePanel::tr(
-                   "Pixels that differ: %1. Click one in the agreement map to see why.")
+                   "Pixels that differ: %1. Click one in the picture “Finished” to see why.")
             .arg(contest.agreement.differing());
     const PixelComparison pixel = comparePixel(contest, picked->x(), picked->y());
     const int all = contest.agreement.contenderCount();
     if (pixel.agreeing == all)
         return ComparePanel::tr(
-                   "Pixel (%1, %2): all agree. Pixels that differ: %3; click one in the agreement "
-                   "map to see why.")
+                   "Pixel (%1, %2): all agree. Pixels that differ: %3; click one in the picture "
+                   "“Finished” to see why.")
             .arg(picked->x())
             .arg(picked->y())
             .arg(contest.agreement.differing());

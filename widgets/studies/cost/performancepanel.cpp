@@ -65,7 +65,7 @@ QString timesHtml(const SceneTiming &timing)
     for (const QString &heading :
          {PerformanceText::tr("ns a pixel"), PerformanceText::tr("ns a triangle"),
           PerformanceText::tr("quartiles"), PerformanceText::tr("speed"),
-          PerformanceText::tr("of memory")})
+          PerformanceText::tr("of memset")})
         html += cell(heading);
     html += u"</tr>"_s;
     html += timeRow(PerformanceText::tr("plain kernel"), timing.plain, timing);
@@ -153,7 +153,7 @@ QWidget *PerformancePanel::contents()
     m_summary = textLabel("performanceSummary", contents);
     m_times = textLabel("performanceTimes", contents);
     m_times->setAccessibleName(tr("Times"));
-    m_times->setToolTip(tr("speed: relative to the plain kernel; of memory: how close the "
+    m_times->setToolTip(tr("speed: relative to the plain kernel; of memset: how close the "
                            "time is to memset over as many pixels"));
     m_routes = textLabel("performanceRoutes", contents);
     m_routes->setAccessibleName(tr("Fast kernels used"));
