@@ -87,7 +87,7 @@ Method circleExplicitMethod()
     method.title = QT_TRANSLATE_NOOP("core", "Circle: y = ±√(r² − x²)");
     method.source = "Scan Conversion slides, “Lines and Curves: Explicit”";
     method.pseudocode = {
-        {0, "(x_c, y_c), r_x, r_y ← of the shape", {Moment::SetUp}},
+        {0, "given: x_c, y_c, r_x, r_y of the shape", {Moment::SetUp}},
         {0, "if no sample is to be drawn: done", {Moment::Rejected}},
         {0, "for each column x from ⌈x_c − r_x⌉ to ⌊x_c + r_x⌋:", {Moment::Begin, Moment::Span}},
         {1, "h ← r_y/r_x·√(r_x² − (x − x_c)²) if r_x > 0, else r_y", {Moment::Begin, Moment::Span}},
@@ -149,7 +149,7 @@ Method circleFillMethod()
     method.source = "Rasterization slides, “Output Primitives” (also filled); Scan Conversion "
                     "slides, “Edge Walking”";
     method.pseudocode
-        = {{0, "(x_c, y_c), r_x, r_y ← of the shape", {Moment::SetUp}},
+        = {{0, "given: x_c, y_c, r_x, r_y of the shape", {Moment::SetUp}},
            {0, "if no sample is to be drawn: done", {Moment::Rejected}},
            {0, "for each row y from ⌈y_c − r_y⌉ to ⌊y_c + r_y⌋:", {Moment::Begin, Moment::Span}},
            {1,
@@ -220,7 +220,7 @@ Method pointAddressMethod()
     method.family = MethodFamily::Others;
     method.source = "Rasterization slides, “Point Plotting”";
     method.pseudocode = {
-        {0, "points ← those of the shape", {Moment::SetUp}},
+        {0, "given: the points of the shape", {Moment::SetUp}},
         {0, "if none is in the frame: done", {Moment::Rejected}},
         {0, "for each point (x, y):", {Moment::Begin, Moment::Span}},
         {1, "x, y ← ⌊x + ½⌋, ⌊y + ½⌋", {Moment::Begin, Moment::Span}},

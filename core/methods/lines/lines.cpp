@@ -5,6 +5,29 @@
 
 namespace pixelplumb {
 
+namespace {
+
+// What the listings begin with. Every line of it is run by tst_listings.
+
+PseudocodeLine exchangeIfSteep()
+{
+    return {0,
+            "if |y₁ − y₀| ≥ |x₁ − x₀|: exchange x and y, here and where a pixel is written",
+            {Moment::SetUp}};
+}
+
+/// With their colours.
+PseudocodeLine exchangeEnds() { return {0, "if x₁ < x₀: exchange the ends", {Moment::SetUp}}; }
+
+PseudocodeLine deltas()
+{
+    return {0, "Δx, Δy ← x₁ − x₀, |y₁ − y₀|; s ← 1 if y₀ ≤ y₁, else −1", {Moment::SetUp}};
+}
+
+PseudocodeLine noneDrawn() { return {0, "if no sample is to be drawn: done", {Moment::Rejected}}; }
+
+} // namespace
+
 Method lineSlopeInterceptMethod()
 {
     Method method = lineMethod<SlopeInterceptKernel>();
@@ -12,16 +35,16 @@ Method lineSlopeInterceptMethod()
     method.title = QT_TRANSLATE_NOOP("core", "Line: y = m·x + b");
     method.source = "Rasterization slides, “Line-Drawing Algorithms” and “Example”; Scan "
                     "Conversion slides, “Lines and Curves: Explicit”";
-    method.pseudocode = {
-        {0, "(x₀, y₀), (x₁, y₁) ← the ends from left to right", {Moment::SetUp}},
-        {0, "m ← (y₁ − y₀)/(x₁ − x₀), b ← y₀ − m·x₀", {Moment::SetUp}},
-        {0, "if it is vertical or a point, or no sample is to be drawn: done", {Moment::Rejected}},
-        {0, "for each column x from ⌈x₀⌉ to ⌊x₁⌋:", {Moment::Begin, Moment::Span}},
-        {1, "y ← m·x + b", {Moment::Begin, Moment::Span}},
-        {1,
-         "R ← R₀ + (x − x₀)·((R₁ − R₀)/(x₁ − x₀)); G and B likewise",
-         {Moment::Begin, Moment::Span}},
-        {1, "pixel (x, (int)(y + ½)) ← the bytes of R, G, B", {Moment::First}}};
+    method.pseudocode = {exchangeEnds(),
+                         {0, "if x₀ = x₁: done — it is vertical or a point", {Moment::Rejected}},
+                         {0, "m ← (y₁ − y₀)/(x₁ − x₀); b ← y₀ − m·x₀", {Moment::SetUp}},
+                         noneDrawn(),
+                         {0, "for each column x from ⌈x₀⌉ to ⌊x₁⌋:", {Moment::Begin, Moment::Span}},
+                         {1, "y ← m·x + b", {Moment::Begin, Moment::Span}},
+                         {1,
+                          "R ← R₀ + (x − x₀)·((R₁ − R₀)/(x₁ − x₀)); G and B likewise",
+                          {Moment::Begin, Moment::Span}},
+                         {1, "pixel (x, (int)(y + ½)) ← the bytes of R, G, B", {Moment::First}}};
     method.summary = QT_TRANSLATE_NOOP("core",
                                        "Computes y = m·x + b for each column and rounds it by "
                                        "(int)(y + ½): steep lines have gaps, vertical ones no m.");
@@ -42,24 +65,23 @@ Method lineParametricMethod()
     const QString range = "for each t = i/N from 0 to 1/%1:";
     const QString point = "u, v ← x₀ + %1i·((x₁ − x₀)/N), y₀ + %1i·((y₁ − y₀)/N); R ← R₀ + "
                           "%1i·((R₁ − R₀)/N); G and B likewise";
-    method.pseudocode
-        = {{0, "N ← ⌈the larger of |x₁ − x₀| and |y₁ − y₀|⌉, at least 1", {Moment::SetUp}},
-           {0, "if no sample is to be drawn: done", {Moment::Rejected}},
-           {0,
-            "for each t = i/N from 0 to 1:",
-            {Moment::Begin, Moment::Span},
-            {},
-            {{twice, range.arg(QChar(u'2'))},
-             {five, range.arg(QChar(u'5'))},
-             {both, range.arg("10")}}},
-           {1,
-            point.arg(QString()),
-            {Moment::Begin, Moment::Span},
-            {},
-            {{twice, point.arg(QChar(u'2'))},
-             {five, point.arg(QChar(u'5'))},
-             {both, point.arg("10")}}},
-           {1, "pixel (⌊u + ½⌋, ⌊v + ½⌋) ← the bytes of R, G, B", {Moment::First}}};
+    method.pseudocode = {{0, "N ← ⌈max(|x₁ − x₀|, |y₁ − y₀|, 1)⌉", {Moment::SetUp}},
+                         noneDrawn(),
+                         {0,
+                          "for each t = i/N from 0 to 1:",
+                          {Moment::Begin, Moment::Span},
+                          {},
+                          {{twice, range.arg(QChar(u'2'))},
+                           {five, range.arg(QChar(u'5'))},
+                           {both, range.arg("10")}}},
+                         {1,
+                          point.arg(QString()),
+                          {Moment::Begin, Moment::Span},
+                          {},
+                          {{twice, point.arg(QChar(u'2'))},
+                           {five, point.arg(QChar(u'5'))},
+                           {both, point.arg("10")}}},
+                         {1, "pixel (⌊u + ½⌋, ⌊v + ½⌋) ← the bytes of R, G, B", {Moment::First}}};
     method.summary
         = QT_TRANSLATE_NOOP("core",
                             "Computes P(t) = P₀ + t·(P₁ − P₀) for t in steps of one pixel of the "
@@ -75,30 +97,31 @@ Method lineDdaMethod()
     method.id = "line-dda";
     method.title = QT_TRANSLATE_NOOP("core", "Line: DDA");
     method.source = "Rasterization slides, “DDA Line-Drawing Algorithm”";
-    const QString rates
-        = "m ← Δv/Δu if Δu > 0, else 0; ΔR ← (R₁ − R₀)/Δu if Δu > 0, else 0; ΔG and ΔB likewise";
-    method.pseudocode = {
-        {0,
-         "u along the longer side, v across: if |y₁ − y₀| ≥ |x₁ − x₀| exchange x and y, here and "
-         "where a pixel is written; the ends in the order of u",
-         {Moment::SetUp}},
-        {0,
-         rates,
-         {Moment::SetUp},
-         {},
-         {{VariantSet().with(Variant::DivisorPlusOne), "m ← Δv/(Δu + 1); ΔR, ΔG and ΔB likewise"},
-          {VariantSet().with(Variant::DivisorMinusOne), "m ← Δv/(Δu − 1); ΔR, ΔG and ΔB likewise"},
-          {VariantSet().with(Variant::DivisorPlusOne).with(Variant::DivisorMinusOne), rates}}},
-        {0, "if no sample is to be drawn: done", {Moment::Rejected}},
-        {0, "for each u of the frame from ⌈u₀⌉ to ⌊u₁⌋:", {Moment::Begin, Moment::Span}},
-        {1,
-         "the first: v ← v₀ + (u − u₀)·m; R ← R₀ + (u − u₀)·ΔR; G and B likewise",
-         {Moment::Begin},
-         {},
-         {{VariantSet().with(Variant::NoEdgePreStep),
-           "the first: v ← v₀ + (u − ⌈u₀⌉)·m; R ← R₀ + (u − ⌈u₀⌉)·ΔR; G and B likewise"}}},
-        {1, "else: v ← v + m; R ← R + ΔR; G and B likewise", {Moment::Span}},
-        {1, "pixel (u, ⌊v + ½⌋) ← the bytes of R, G, B", {Moment::First}}};
+    const QString rates = "m ← Δv/%1; ΔR ← (R₁ − R₀)/%1; ΔG and ΔB likewise";
+    const QString ratesIf
+        = "m ← Δv/%1 if %2, else 0; ΔR ← (R₁ − R₀)/%1 if %2, else 0; ΔG and ΔB likewise";
+    method.pseudocode
+        = {exchangeIfSteep(),
+           exchangeEnds(),
+           {0, "u₀, v₀, u₁, v₁ ← x₀, y₀, x₁, y₁; Δu, Δv ← u₁ − u₀, v₁ − v₀", {Moment::SetUp}},
+           {0,
+            ratesIf.arg("Δu", "Δu > 0"),
+            {Moment::SetUp},
+            {},
+            {{VariantSet().with(Variant::DivisorPlusOne), rates.arg("(Δu + 1)")},
+             {VariantSet().with(Variant::DivisorMinusOne), ratesIf.arg("(Δu − 1)", "Δu > 1")},
+             {VariantSet().with(Variant::DivisorPlusOne).with(Variant::DivisorMinusOne),
+              rates.arg("max(Δu, 1)")}}},
+           noneDrawn(),
+           {0, "for each u of the frame from ⌈u₀⌉ to ⌊u₁⌋:", {Moment::Begin, Moment::Span}},
+           {1,
+            "the first: v ← v₀ + (u − u₀)·m; R ← R₀ + (u − u₀)·ΔR; G and B likewise",
+            {Moment::Begin},
+            {},
+            {{VariantSet().with(Variant::NoEdgePreStep),
+              "the first: v ← v₀ + (u − ⌈u₀⌉)·m; R ← R₀ + (u − ⌈u₀⌉)·ΔR; G and B likewise"}}},
+           {1, "else: v ← v + m; R ← R + ΔR; G and B likewise", {Moment::Span}},
+           {1, "pixel (u, ⌊v + ½⌋) ← the bytes of R, G, B", {Moment::First}}};
     method.summary = QT_TRANSLATE_NOOP("core",
                                        "Walks along the longer side and adds the slope at each "
                                        "step; the pixel is the nearest one.");
@@ -115,27 +138,27 @@ Method lineBresenhamMethod()
     method.title = QT_TRANSLATE_NOOP("core", "Line: Bresenham");
     method.source = "Rasterization slides, “Bresenham's Line Algorithm (1/4)” to “(4/4)” and "
                     "“Bresenham: Example”";
-    method.pseudocode = {
-        {0, "round both ends to whole pixels", {Moment::SetUp}},
-        {0, "if |Δy| ≥ |Δx|: exchange x and y, here and where a pixel is written", {Moment::SetUp}},
-        {0, "(x₀, y₀) ← the end with the smaller x", {Moment::SetUp}},
-        {0, "s ← 1 if y₀ ≤ y₁, else −1", {Moment::SetUp}},
-        {0, "if no sample is to be drawn: done", {Moment::Rejected}},
-        {0,
-         "for each x from x₀ to x₁:",
-         {Moment::Begin},
-         {},
-         {{VariantSet().with(Variant::OneStepShort),
-           "for each x from x₀ to x₁ − 1 if Δx > 0, else x₁:"}}},
-        {1, "the first: y, p ← y₀, 2Δy − Δx", {Moment::Begin}},
-        {1,
-         "else if p < 0: p ← p + 2Δy",
-         {Moment::Stay},
-         {},
-         {{VariantSet().with(Variant::StayAtZero), "else if p ≤ 0: p ← p + 2Δy"}}},
-        {1, "else: y ← y + s; p ← p + 2Δy − 2Δx", {Moment::Cross}},
-        coloursAlongLine(),
-        {1, "pixel (x, y) ← the bytes of R, G, B", {Moment::First}}};
+    method.pseudocode
+        = {{0, "x₀, y₀, x₁, y₁ ← ⌊x₀ + ½⌋, ⌊y₀ + ½⌋, ⌊x₁ + ½⌋, ⌊y₁ + ½⌋", {Moment::SetUp}},
+           exchangeIfSteep(),
+           exchangeEnds(),
+           deltas(),
+           noneDrawn(),
+           {0,
+            "for each x from x₀ to x₁:",
+            {Moment::Begin},
+            {},
+            {{VariantSet().with(Variant::OneStepShort),
+              "for each x from x₀ to x₁ − 1 if Δx > 0, else x₁:"}}},
+           {1, "the first: y, p ← y₀, 2Δy − Δx", {Moment::Begin}},
+           {1,
+            "else if p < 0: p ← p + 2Δy",
+            {Moment::Stay},
+            {},
+            {{VariantSet().with(Variant::StayAtZero), "else if p ≤ 0: p ← p + 2Δy"}}},
+           {1, "else: y ← y + s; p ← p + 2Δy − 2Δx", {Moment::Cross}},
+           coloursAlongLine(),
+           {1, "pixel (x, y) ← the bytes of R, G, B", {Moment::First}}};
     method.summary
         = QT_TRANSLATE_NOOP("core",
                             "Steps from the end of smaller x (of a steep line, of smaller y) by "
@@ -152,20 +175,20 @@ Method lineSymmetricMethod()
     method.id = "line-bresenham-symmetric";
     method.title = QT_TRANSLATE_NOOP("core", "Line: Bresenham, sub-pixel ends");
     method.source = "stable form of the Rasterization slides, “Bresenham's Line Algorithm”";
-    method.pseudocode = {
-        {0, "if |Δy| ≥ |Δx|: exchange x and y, here and where a pixel is written", {Moment::SetUp}},
-        {0, "(x₀, y₀) ← the end with the smaller x, to 1/256 px", {Moment::SetUp}},
-        {0, "s ← 1 if y₀ ≤ y₁, else −1", {Moment::SetUp}},
-        {0, "m ← s·Δy/Δx if Δx > 0, else 0", {Moment::SetUp}},
-        {0, "if no sample is to be drawn: done", {Moment::Rejected}},
-        {0, "for each x from ⌈x₀⌉ to ⌊x₁⌋:", {Moment::Begin}},
-        {1,
-         "the first: y ← ⌊y₀ + (x − x₀)·m + ½⌋; p ← Δx·(2·s·(y₀ + (x + 1 − x₀)·m − y) − 1)",
-         {Moment::Begin}},
-        {1, "else if p < 0, or p = 0 and s < 0: p ← p + 2Δy", {Moment::Stay}},
-        {1, "else: y ← y + s; p ← p + 2Δy − 2Δx", {Moment::Cross}},
-        coloursAlongLine(),
-        {1, "pixel (x, y) ← the bytes of R, G, B", {Moment::First}}};
+    method.pseudocode
+        = {exchangeIfSteep(),
+           exchangeEnds(),
+           deltas(),
+           {0, "m ← s·Δy/Δx if Δx > 0, else 0", {Moment::SetUp}},
+           noneDrawn(),
+           {0, "for each x from ⌈x₀⌉ to ⌊x₁⌋:", {Moment::Begin}},
+           {1,
+            "the first: y ← ⌊y₀ + (x − x₀)·m + ½⌋; p ← Δx·(2·s·(y₀ + (x + 1 − x₀)·m − y) − 1)",
+            {Moment::Begin}},
+           {1, "else if p < 0, or p = 0 and s < 0: p ← p + 2Δy", {Moment::Stay}},
+           {1, "else: y ← y + s; p ← p + 2Δy − 2Δx", {Moment::Cross}},
+           coloursAlongLine(),
+           {1, "pixel (x, y) ← the bytes of R, G, B", {Moment::First}}};
     method.summary
         = QT_TRANSLATE_NOOP("core",
                             "Bresenham's decisions from any lattice point to any other, ties to "

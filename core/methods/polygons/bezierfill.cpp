@@ -14,11 +14,12 @@ Method bezierFillMethod()
     method.source = "Rasterization slides, “Output Primitives” (other curves, also filled); Scan "
                     "Conversion slides, “Scan Conversion: A General Algorithm”";
     method.pseudocode = parityPseudocode();
-    method.pseudocode.insert(method.pseudocode.begin(),
-                             {0,
-                              "edges ← of each piece, chords that leave it by 1/32 px at most; a "
-                              "straight edge where two pieces do not meet",
-                              {Moment::SetUp}});
+    method.pseudocode.insert(
+        method.pseudocode.begin(),
+        {0,
+         "given: the edges of each piece, chords that leave it by 1/32 px at most; a "
+         "straight edge where two pieces do not meet",
+         {Moment::SetUp}});
     method.summary = QT_TRANSLATE_NOOP(
         "core",
         "Closes a path of Bézier pieces, takes each as a chain of chords, and fills these by "

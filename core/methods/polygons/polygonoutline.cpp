@@ -12,7 +12,7 @@ Method polygonOutlineMethod()
     method.source = "Rasterization slides, “Output Primitives” and “Bresenham's Line Algorithm”; "
                     "Scan Conversion slides, “Polygons”";
     method.pseudocode
-        = {{0, "edges ← of each contour, from vertex to vertex, closed", {Moment::SetUp}},
+        = {{0, "given: the edges of each contour, from vertex to vertex, closed", {Moment::SetUp}},
            {0, "if no sample is to be drawn: done", {Moment::Rejected}},
            {0, "for each edge from (x₀, y₀) to (x₁, y₁):", {Moment::Begin}},
            {1,

@@ -61,7 +61,7 @@ Pseudocode parityPseudocode()
         return u"for each edge k of them with x_k ≤ x: c, w ← c + 1, w + 1 if y₁ %1 y₀, else c "
                "+ 1, w − 1 — w, the winding number, is 1 more where it runs downward"_s.arg(sign);
     };
-    Pseudocode code = {{0, "edges ← those of the contours that are not horizontal", {SetUp}},
+    Pseudocode code = {{0, "given: the edges of the contours that are not horizontal", {SetUp}},
                        {0, "if no sample is to be drawn: done", {Rejected}}};
     std::ranges::move(crossingLines(0), std::back_inserter(code));
     code.push_back(

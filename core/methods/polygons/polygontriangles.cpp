@@ -30,7 +30,7 @@ Method triangulatingMethod(const QString &triangles)
 Method polygonFanMethod()
 {
     Method method = triangulatingMethod<TriangulationKernel<fanOf>>(
-        "triangles ← the first vertex with each edge that it is not on");
+        "given: the triangles of the first vertex with each edge that it is not on");
     method.id = "polygon-fan";
     method.title = QT_TRANSLATE_NOOP("core", "Convex polygon as a fan");
     method.source = "Scan Conversion slides, “From Polygons to Triangles”";
@@ -44,7 +44,7 @@ Method polygonFanMethod()
 Method polygonDelaunayMethod()
 {
     Method method = triangulatingMethod<TriangulationKernel<delaunayOf>>(
-        "triangles ← of the constrained Delaunay triangulation that are inside");
+        "given: the triangles of the constrained Delaunay triangulation that are inside");
     method.id = "polygon-delaunay";
     method.title = QT_TRANSLATE_NOOP("core", "Polygon by Delaunay triangulation");
     method.source = "Rasterization slides, “Triangulation”; Scan Conversion slides, “From Polygons "
@@ -60,7 +60,8 @@ Method polygonDelaunayMethod()
 Method polygonTessellationMethod()
 {
     Method method = triangulatingMethod<TessellationKernel>(
-        "triangles ← of the constrained Delaunay triangulation that are inside, with a vertex, to "
+        "given: the triangles of the constrained Delaunay triangulation that are inside, with a "
+        "vertex, to "
         "1/256 px, where edges cross");
     method.id = "polygon-tessellation";
     method.title = QT_TRANSLATE_NOOP("core", "Polygon by tessellation");

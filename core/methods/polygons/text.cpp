@@ -16,7 +16,7 @@ Method textOutlinesMethod()
     method.pseudocode = parityPseudocode();
     method.pseudocode.insert(
         method.pseudocode.begin(),
-        {0, "contours ← the outlines of the glyphs in the font", {Moment::SetUp}});
+        {0, "given: the contours, outlines of the glyphs in the font", {Moment::SetUp}});
     method.summary = QT_TRANSLATE_NOOP("core",
                                        "Takes the outlines of the glyphs from a font and fills "
                                        "them as one polygon by winding number.");

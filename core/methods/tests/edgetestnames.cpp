@@ -98,25 +98,70 @@ QString EdgeTestNames::lineAt(const QString &x, const QString &y) const
     return u"a{l}·%1 + b{l}·%2 + c{l}"_s.arg(x, y);
 }
 
-QString EdgeTestNames::linesText() const
+QString EdgeTestNames::valueAt(std::size_t line, const QString &x, const QString &y) const
+{
+    if (m_form.inside != InsideTest::Cramer)
+        return lineAt(x, y);
+    const bool hasC = line != 2;
+    return u"(y{to} − y{from})·(%1 − x%3) + (x{from} − x{to})·(%2 − y%3)"_s.arg(
+        x, y, hasC ? u"_C"_s : u"{from}"_s);
+}
+
+QString EdgeTestNames::coefficients(const QString &each) const
+{
+    QStringList text;
+    for (const QChar letter : u"abc"_s) {
+        if (letter != u'c' || m_form.line == LineForm::Absolute || m_form.line == LineForm::Solved)
+            text.append(QString(each).replace(u'%', letter));
+    }
+    return text.join(u", "_s);
+}
+
+QString EdgeTestNames::coefficientsText() const
+{
+    const QString pair = "y{to} − y{from}, x{from} − x{to}";
+    if (m_form.line == LineForm::Solved)
+        return u"(y{to} − y{from})/q{l}, (x{from} − x{to})/q{l}, −1 if q{l} ≠ 0, else %1, 0"_s.arg(
+            pair);
+    return m_form.line == LineForm::Absolute ? pair + u", x{to}·y{from} − x{from}·y{to}"_s : pair;
+}
+
+QString EdgeTestNames::tieCondition(FillRule rule, FrameOrigin origin) const
+{
+    if (rule == FillRule::OffScreenPoint)
+        return towardsFacing("{value}(r)") + u" > 0"_s;
+    const bool isCramer = m_form.inside == InsideTest::Cramer;
+    const QString a = isCramer ? u"(y{to} − y{from})"_s : u"a{l}"_s;
+    const QString b = isCramer ? u"(x{from} − x{to})"_s : u"b{l}"_s;
+    const bool isTopLeft = rule == FillRule::TopLeft;
+    const QString first = isTopLeft ? a : b, second = isTopLeft ? b : a;
+    // Of level edges the top-left rule takes that at the top, from which the triangle goes down.
+    const bool isNegative = isTopLeft && origin == FrameOrigin::BottomLeft;
+    return u"%1 > 0, or %2 = 0 and %3 %4 0"_s.arg(
+        towardsFacing(first), first, towardsFacing(second), QChar(isNegative ? u'<' : u'>'));
+}
+
+QString EdgeTestNames::tieRemark(FillRule rule)
+{
+    switch (rule) {
+    case FillRule::TopLeft:
+        return u" — a left edge, or a level one at the top"_s;
+    case FillRule::HalfOpenColumn:
+        return u" — an edge with the triangle at larger y, or an upright one with it at larger x"_s;
+    case FillRule::OffScreenPoint:
+        return u" — an edge with the triangle and r on the same side"_s;
+    case FillRule::Closed:
+    case FillRule::Open:
+        break;
+    }
+    return {};
+}
+
+QString EdgeTestNames::towardsFacing(const QString &value) const
 {
     if (m_form.inside == InsideTest::Cramer)
-        return u"D ← x_AC·y_BC − x_BC·y_AC — the determinant"_s;
-    const QString edges = m_form.isBarycentric() ? u"f_bc, f_ca, f_ab"_s : u"E₀, E₁, E₂"_s;
-    switch (m_form.line) {
-    case LineForm::Absolute:
-    case LineForm::CommonVertex:
-        break;
-    case LineForm::Solved:
-        return edges
-            + u": A and B solved from the two ends of the edge with C = −1, or with "
-              "C = 0 where its line passes through (0, 0)"_s;
-    case LineForm::CanonicalEnd:
-        return edges + u": a and b counted from the end that is smaller in (x, y)"_s;
-    case LineForm::FirstEnd:
-        return edges + u": a and b counted from the first end of the edge"_s;
-    }
-    return edges + u": a, b, c from the two ends of the edge"_s;
+        return u"−D·"_s + value;
+    return m_form.isBarycentric() ? u"f{opp}·"_s + value : value;
 }
 
 QString EdgeTestNames::weightFormula(std::size_t line) const
@@ -142,12 +187,6 @@ QString EdgeTestNames::levelFormula() const
     return u"% = α·%_a + β·%_b + γ·%_c"_s;
 }
 
-QString EdgeTestNames::tieText(FillRule rule) const
-{
-    return rule == FillRule::OffScreenPoint ? u"{value}({letter})·{value}(r) > 0"_s
-                                            : u"tie{l} = 1"_s;
-}
-
 QString EdgeTestNames::cramerText(FillRule rule) const
 {
     if (rule == FillRule::Closed)
@@ -158,7 +197,7 @@ QString EdgeTestNames::cramerText(FillRule rule) const
         = {u"u > 0, or u = 0", u"v > 0, or v = 0", u"u + v < 1, or u + v = 1"};
     QStringList tests;
     for (std::size_t line = 0; line < 3; ++line)
-        tests.append(QString::fromUtf16(inside[line]) + u" and "_s + filled(tieText(rule), line));
+        tests.append(QString::fromUtf16(inside[line]) + filled(u" and tie{l} = 1"_s, line));
     return u"if "_s + tests.join(u"; "_s) + u':';
 }
 

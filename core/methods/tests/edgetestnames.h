@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/frame/framespec.h"
 #include "core/scan/scansettings.h"
 #include "core/scan/tests/edgetestform.h"
 
@@ -36,13 +37,24 @@ public:
 
     /// The line's equation at a point, its placeholders such as {l} not yet filled in.
     QString lineAt(const QString &x, const QString &y) const;
-    /// How the numbers of the edges are found.
-    QString linesText() const;
+    /// The value of a line of the set-up at a point; placeholders as in lineAt(). Cramer's rule has
+    /// no coefficients for it: its own counts from C, or from the edge's first end if C is not an
+    /// end of it.
+    QString valueAt(std::size_t line, const QString &x, const QString &y) const;
+    /// "a₀, b₀, c₀" of "%₀": a text for each coefficient of the form, % its letter.
+    QString coefficients(const QString &each) const;
+    /// Their values, from the ends of the edge; placeholders as in lineAt().
+    QString coefficientsText() const;
+    /// When a sample exactly on a line is inside, under a rule to which not all lines are alike.
+    QString tieCondition(FillRule rule, FrameOrigin origin) const;
+    /// The same in words, as the remark of a line.
+    static QString tieRemark(FillRule rule);
+    /// Above 0 where a value of a line has the sign that it has at the facing vertex: f_a·a_bc.
+    /// Edge equations are positive there, and under Cramer's rule D is the opposite of each value.
+    QString towardsFacing(const QString &value) const;
     QString weightFormula(std::size_t line) const;
     /// % stands for the channel's letter.
     QString levelFormula() const;
-    /// What gives the triangle a sample exactly on a line; placeholders as in lineAt().
-    QString tieText(FillRule rule) const;
     /// "if u ≥ 0 and v ≥ 0 and u + v ≤ 1:". Of u, v and w the third test is on the sum.
     QString cramerText(FillRule rule) const;
 

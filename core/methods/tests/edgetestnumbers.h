@@ -15,8 +15,5 @@ NumberTable<EdgeTestSampleState> edgeTestSampleNumbers(const EdgeTestForm &form)
 
 /// Appends who owns a sample exactly on an edge, and the numbers by which the fill rule decides.
 void appendTies(NumberTable<EdgeTestSetUpState> &table, const EdgeTestNames &names);
-/// "1 of a left edge and of a level one at the top, else 0": the values of the ties in a listing.
-/// Empty for the off-screen point, which decides each edge by a product.
-QString ownersText(FillRule rule);
 
 } // namespace pixelplumb

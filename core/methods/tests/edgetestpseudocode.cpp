@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/frame/framenames.h"
 #include "core/methods/tests/edgetestnames.h"
 #include "core/methods/tests/edgetestnumbers.h"
 #include "core/methods/words/pseudocode.h"
@@ -6,9 +7,9 @@
 
 #include <QStringList>
 
-/// The listings of the methods that test samples. A test runs every line from the box on: the names
-/// are those of the numbers' tables, and what is done to one edge, weight or channel is done to the
-/// others "likewise".
+/// The listings of the methods that test samples. A test runs every line: the names are those of
+/// the numbers' tables, and what is done to one edge, weight or channel is done to the others
+/// "likewise".
 namespace pixelplumb {
 
 namespace {
@@ -84,66 +85,94 @@ private:
 
     void addSetUp()
     {
-        add(0, m_names.linesText(), {SetUp});
-        if (m_form.inside == InsideTest::Signs) {
-            add(0,
-                "sidedness₀, sidedness₁, sidedness₂ ← E₀, E₁, E₂ at P₂, P₀, P₁ — the vertex "
-                "opposite",
-                {SetUp});
-            add(0,
-                "s ← 1; where sidedness < 0: s ← −1, and a, b, c of that edge change their signs; "
-                "F ← s·sidedness",
-                {SetUp});
-        } else if (m_form.inside != InsideTest::Cramer) {
-            add(0, "f_a, f_b, f_c ← f_bc at a, f_ca at b, f_ab at c", {SetUp});
-            if (m_form.evaluation == Evaluation::Increments)
-                addIncrements();
+        if (m_form.inside == InsideTest::Cramer) {
+            add(0, "x_AC, y_AC, x_BC, y_BC ← x_A − x_C, y_A − y_C, x_B − x_C, y_B − y_C", {SetUp});
+            add(0, "D ← x_AC·y_BC − x_BC·y_AC — the determinant", {SetUp});
+        } else {
+            addLines();
         }
         addTies();
-        if (m_form.visited == VisitedSamples::Frame) {
-            add(0, "box ← the whole frame", {SetUp});
-        } else {
-            add(0,
-                "box ← from the smallest to the largest x and y of the vertices, clipped to the "
-                "frame",
-                {SetUp});
-            m_code.back().varied = {{VariantSet().with(Variant::RoundedBox),
-                                     "box ← from (int)(x_min + ½) to (int)(x_max − ½), y likewise, "
-                                     "clipped to the frame"}};
-        }
+        addBox();
         addOfSegment(0, "sort the vertices by x, those of equal x by y: P_l, P_m, P_r", {SetUp});
         add(0, "if no sample is to be drawn: done", {Rejected});
+    }
+
+    /// The equations of the edges, and their values at the opposite vertices.
+    void addLines()
+    {
+        const auto addAlike = [this](const QString &pattern, const QString &name) {
+            add(0, alike(pattern, name), {SetUp});
+        };
+        if (m_form.line == LineForm::Solved)
+            addAlike("q{l} ← x{from}·y{to} − y{from}·x{to}", "q{l}");
+        const QString named = "{value}: " + m_names.coefficients("%{l}");
+        addAlike(named + u" ← "_s + m_names.coefficientsText(), "{value}");
+        if (m_form.line == LineForm::CanonicalEnd)
+            addAlike("{value}: u{l}, v{l} ← x{from}, y{from} if x{from} < x{to}, or x{from} = "
+                     "x{to} and y{from} < y{to}, else x{to}, y{to}",
+                     "{value}");
+        const QString opposite = m_names.lineAt("x{opp}", "y{opp}");
+        if (m_form.isBarycentric()) {
+            addAlike(u"f{opp} ← "_s + opposite, "f{opp}");
+            if (m_form.evaluation == Evaluation::Increments)
+                addIncrements();
+            return;
+        }
+        addAlike(u"sidedness{l} ← "_s + opposite, "sidedness{l}");
+        addAlike("s{l} ← −1 if sidedness{l} < 0, else 1", "s{l}");
+        const QString turned = m_names.coefficients("s{l}·%{l}");
+        addAlike(u"%1, F{l} ← %2, s{l}·sidedness{l}"_s.arg(named, turned), "{value}");
+    }
+
+    /// The samples to visit.
+    void addBox()
+    {
+        if (m_form.visited == VisitedSamples::Frame)
+            return add(0, "box ← the whole frame", {SetUp});
+        const QString x = u"(%1)"_s.arg(three(m_form.isBarycentric() ? "x{opp}" : "x{from}"));
+        const QString box = "box ← x from %1 to %2, y likewise, clipped to the frame";
+        add(0, box.arg(u"⌈min%1⌉"_s.arg(x), u"⌊max%1⌋"_s.arg(x)), {SetUp});
+        const QString rounded = box.arg(u"(int)(min%1 + ½)"_s.arg(x), u"(int)(max%1 − ½)"_s.arg(x));
+        m_code.back().varied
+            = {{VariantSet().with(Variant::RoundedBox), rounded + u" — x and y of the scene"_s}};
     }
 
     /// What a step along x and one along y add to weights and levels.
     void addIncrements()
     {
-        for (const auto &[axis, coefficient] :
-             {std::pair(QChar(u'x'), QChar(u'a')), std::pair(QChar(u'y'), QChar(u'b'))}) {
-            addOfArea(0,
-                      u"Δα_%1 ← %2_bc/f_a; Δβ_%1 and Δγ_%1 likewise"_s.arg(axis).arg(coefficient),
-                      {SetUp});
-            addOfArea(
-                0,
-                u"ΔR_%1 ← Δα_%1·R_a + Δβ_%1·R_b + Δγ_%1·R_c; ΔG_%1 and ΔB_%1 likewise"_s.arg(axis),
-                {SetUp});
-        }
+        const QString level = "ΔR_%1 ← Δα_%1·R_a + Δβ_%1·R_b + Δγ_%1·R_c; ΔG_%1 and ΔB_%1 likewise";
+        addOfArea(0, "Δα_x ← a_bc/f_a; Δβ_x and Δγ_x likewise", {SetUp});
+        addOfArea(0, level.arg("x"), {SetUp});
+        addOfArea(0, "Δα_y ← b_bc/f_a; Δβ_y and Δγ_y likewise", {SetUp});
+        addOfArea(0, level.arg("y"), {SetUp});
     }
 
-    /// Says which edges give the triangle a sample exactly on them.
+    /// Says which edges give the triangle a sample exactly on them; under the closed and the open
+    /// rule all are alike.
     void addTies()
     {
-        add(0, tiesText(FillRule::Closed), {SetUp});
-        for (const FillRule rule : allFillRules)
-            m_code.back().ruled.push_back({rule, tiesText(rule)});
-    }
-
-    QString tiesText(FillRule rule) const
-    {
-        const QString tie = "tie{l}";
-        if (rule == FillRule::OffScreenPoint)
-            return alike(u"tie{l} ← 1 if %1, else 0"_s.arg(m_names.tieText(rule)), tie);
-        return three(tie) + u" ← "_s + ownersText(rule);
+        const auto addForPoint = [this](const QString &text) {
+            add(0, {}, {SetUp});
+            m_code.back().ruled = {{FillRule::OffScreenPoint, text}};
+        };
+        addForPoint("given: x_r, y_r of the off-screen point r");
+        for (std::size_t line = 0; line < 3; ++line) {
+            const QString value = u"{value}(r) ← "_s + m_names.valueAt(line, "x_r", "y_r");
+            if (m_form.inside == InsideTest::Cramer)
+                addForPoint(m_names.filled(value, line));
+            else if (line == 0)
+                addForPoint(alike(value, "{value}(r)"));
+        }
+        add(0, {}, {SetUp});
+        const QString tie = "tie{l} ← 1 if %1, else 0";
+        for (const FillRule rule :
+             {FillRule::OffScreenPoint, FillRule::HalfOpenColumn, FillRule::TopLeft}) {
+            for (const FrameOrigin origin : allFrameOrigins) {
+                const QString ties = alike(tie.arg(m_names.tieCondition(rule, origin)), "tie{l}");
+                m_code.back().ruled.push_back(
+                    {rule, ties + EdgeTestNames::tieRemark(rule), origin});
+            }
+        }
     }
 
     void addLoops()
@@ -160,11 +189,11 @@ private:
     /// next line starts from them.
     void addIncrementalLoops()
     {
-        const QString start = isRowByRow() ? u"row"_s : u"column"_s;
         addStart();
         add(0, u"for each %1 of the box:"_s.arg(m_across), {Begin, Span});
-        addOfArea(1, u"%1 ← %2 — back at the %3's start"_s.arg(walked(), kept(), start),
-                  {Begin, Span});
+        const QString back
+            = "%1 ← %2 — back at the " + (isRowByRow() ? u"row's start"_s : u"column's start"_s);
+        addOfArea(1, back.arg(walked(), kept()), {Begin, Span});
         add(1, u"for each %1 of the box:"_s.arg(m_along), {First, Next, Refused});
         addTest();
         if (!m_form.isBarycentric())
@@ -254,7 +283,7 @@ private:
         if (isBounded)
             within = (takesZero ? u"0 ≤ "_s : u"0 < "_s) + name + u" ≤ 1"_s;
         if (decidesTies)
-            within += u", or %1 = 0 and %2"_s.arg(name, m_names.tieText(rule));
+            within += u", or %1 = 0 and tie{l} = 1"_s.arg(name);
         return u"if "_s + alike(within, name) + u':';
     }
 

@@ -18,20 +18,6 @@ QString productTitle(const EdgeTestNames &names, std::size_t line)
     return names.filled("{value}({letter})·{value}(r)", line);
 }
 
-/// The edge's function at a point. Cramer's rule has no coefficients for it: its own counts from C,
-/// or from the edge's first end if C is not an end of it.
-QString valueFormula(const EdgeTestNames &names, std::size_t line, const QString &point)
-{
-    const QString x = u"x"_s + point;
-    const QString y = u"y"_s + point;
-    if (names.form().inside != InsideTest::Cramer)
-        return names.filled(names.lineAt(x, y), line);
-    const bool hasC = line != 2;
-    const QString origin = hasC ? u"_C"_s : u"{from}"_s;
-    return names.filled(
-        u"(y{to} − y{from})·(%1 − x%3) + (x{from} − x{to})·(%2 − y%3)"_s.arg(x, y, origin), line);
-}
-
 NumberRow<State> pointNumber(QChar axis, Quantity State::*coordinate)
 {
     return {plainNumber(axis + u"_r"_s, axis + u"_r"_s, "px",
@@ -52,9 +38,7 @@ void appendSides(NumberTable<State> &table, const EdgeTestNames &names, std::siz
             {comparedNumber(
                  names.filledId("f{opp}", line), atFacing, square,
                  filled(u"The edge function of {edge} at vertex {facing}, which faces it."),
-                 atFacing + u" = "_s
-                     + valueFormula(names, line,
-                                    names.vertex(edgeEndsOf(names.form(), line).opposite))),
+                 atFacing + u" = "_s + names.filled(names.valueAt(line, "x{opp}", "y{opp}"), line)),
              [line](const State &state) {
                  const EdgeTestLineState &of = state.lines[line];
                  return of.atRulesPoint.isNone() ? Quantity() : of.atOpposite;
@@ -63,7 +47,7 @@ void appendSides(NumberTable<State> &table, const EdgeTestNames &names, std::siz
     table.push_back(
         {comparedNumber(names.filledId("{value}_r", line), atPoint, square,
                         filled(u"The edge function of {edge} at the off-screen point r."),
-                        atPoint + u" = "_s + valueFormula(names, line, "_r")),
+                        atPoint + u" = "_s + names.filled(names.valueAt(line, "x_r", "y_r"), line)),
          [line](const State &state) { return state.lines[line].atRulesPoint; }});
     table.push_back(
         {comparedNumber(
@@ -89,8 +73,8 @@ QString displacedCondition(const EdgeTestNames &names, std::size_t line, const S
     // The rule top-left goes down on the screen where an edge is level.
     const bool isNegative = isTopLeft && isByY && state.down < 0;
     const QString coefficient = isByY ? u"b{l}"_s : u"a{l}"_s;
-    const QString decided = names.form().isBarycentric() ? u"f{opp}·"_s + coefficient : coefficient;
-    return names.filled(decided, line) + (isNegative ? u" < 0"_s : u" > 0"_s);
+    return names.filled(names.towardsFacing(coefficient), line)
+        + (isNegative ? u" < 0"_s : u" > 0"_s);
 }
 
 QString condition(const EdgeTestNames &names, std::size_t line, const State &state)
@@ -109,24 +93,6 @@ QString condition(const EdgeTestNames &names, std::size_t line, const State &sta
 }
 
 } // namespace
-
-QString ownersText(FillRule rule)
-{
-    switch (rule) {
-    case FillRule::Closed:
-        return u"1 — every edge owns the samples on it"_s;
-    case FillRule::Open:
-        return u"0 — no edge owns the samples on it"_s;
-    case FillRule::TopLeft:
-        return u"1 of a left edge and of a level one at the top, else 0"_s;
-    case FillRule::HalfOpenColumn:
-        return u"1 of an edge with the triangle at larger y, and of an upright one "
-               "with it at larger x; else 0"_s;
-    case FillRule::OffScreenPoint:
-        break;
-    }
-    return {};
-}
 
 void appendTies(NumberTable<State> &table, const EdgeTestNames &names)
 {

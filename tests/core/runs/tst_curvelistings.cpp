@@ -171,8 +171,7 @@ private slots:
             const auto traced = traceScene(sceneOf(curve, "bezier-subdivision", frameFor(i)));
             ListingNames names;
             setColour(names, curve.vertices[0].colour);
-            ListingRun run(pseudocodeOf(*traced, 0), names, frameBox(traced->scene.frame),
-                           ListingRun::SetUp::Run);
+            ListingRun run(pseudocodeOf(*traced, 0), names, frameBox(traced->scene.frame));
             const GivenPieces given(traced->primitives.shape(0));
             run.state().setGiven(given.functions());
             const QString departure = message(i, departureOf(run, *traced));
@@ -235,7 +234,7 @@ private slots:
                     }
                 }
             }
-            ListingRun run(pseudocodeOf(*traced, 0), names, box, ListingRun::SetUp::Run);
+            ListingRun run(pseudocodeOf(*traced, 0), names, box);
             const GivenStroke given(seen, frame, traced->strokeAntialiasing());
             run.state().setGiven(given.functions());
             run.state().setUnder(under);

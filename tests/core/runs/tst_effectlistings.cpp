@@ -92,7 +92,7 @@ struct Picture {
     {
         ListingNames names = namesOf(traced, index);
         names.insert(held.begin(), held.end());
-        ListingRun run(code, names, frameBox(traced.scene.frame), ListingRun::SetUp::Run);
+        ListingRun run(code, names, frameBox(traced.scene.frame));
         TriangleEffects effects(*traced.shading());
         GivenEffects<N> given(traced, index, effects.at(index).depth);
         run.state().setGiven(given.functions());

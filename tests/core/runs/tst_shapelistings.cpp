@@ -60,8 +60,7 @@ private slots:
                                   {u"r_y"_s, inPixels(corner.y - centre.y)},
                                   {u"π"_s, BigRational(std::numbers::pi)}};
             setColour(names, round.vertices[0].colour);
-            ListingRun run(pseudocodeOf(*traced, 0), names, frameBox(scene.frame),
-                           ListingRun::SetUp::Run);
+            ListingRun run(pseudocodeOf(*traced, 0), names, frameBox(scene.frame));
             const QString departure = message(i, departureOf(run, *traced));
             QVERIFY2(departure.isEmpty(), qPrintable(nameOf(round) + departure));
             drawn += run.pixels().size();

@@ -103,7 +103,8 @@ private slots:
         QVERIFY(traced->scene.settings.variants == only(variant));
 
         const Pseudocode varied = pseudocodeOf(*traced, 0);
-        const Pseudocode plain = linesOf(LineOf::Area, method.pseudocode);
+        const Pseudocode plain
+            = underRule(linesOf(LineOf::Area, method.pseudocode), scene.settings.fillRule);
 
         QCOMPARE(varied.size(), plain.size());
         const auto changed = std::ranges::mismatch(varied, plain, {}, &PseudocodeLine::text,

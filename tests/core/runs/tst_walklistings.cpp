@@ -21,7 +21,7 @@ ListingRun listingOf(const TracedScene &traced, const Pseudocode &code)
     const ListingNames setUp = setUpNames(traced);
     if (const auto area = setUp.find(u"A"_s); area != setUp.end())
         names.insert(*area);
-    return ListingRun(code, names, frameBox(traced.scene.frame), ListingRun::SetUp::Run);
+    return ListingRun(code, names, frameBox(traced.scene.frame));
 }
 
 /// The listing of a triangle from its vertices on, as a student would write it.

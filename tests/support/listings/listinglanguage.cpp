@@ -148,6 +148,10 @@ private:
             const Number value = upTo(u")"_s);
             return value < 0 ? -floorOf(-value) : floorOf(value);
         }
+        if (takes(u"max("_s))
+            return outermost([](const Number &a, const Number &b) { return a < b; });
+        if (takes(u"min("_s))
+            return outermost([](const Number &a, const Number &b) { return a > b; });
         if (takes(u"("_s))
             return upTo(u")"_s);
         if (takes(u"⌊"_s))
@@ -172,6 +176,19 @@ private:
         return m_place < m_text.size() && m_text[m_place].isLetter()
             ? computed(value, Operation::Multiply, named())
             : value;
+    }
+    /// The last of "A, B)" in an order.
+    template <class Before>
+    Number outermost(Before before)
+    {
+        Number value = sum();
+        while (takes(u", "_s)) {
+            const Number other = sum();
+            value = before(value, other) ? other : value;
+        }
+        if (!takes(u")"_s))
+            throw ListingFault(u"not closed: "_s + m_text);
+        return value;
     }
     Number upTo(const QString &end)
     {
@@ -227,6 +244,20 @@ bool belongsToName(QChar character)
     const bool isSubscript
         = (code >= 0x2080 && code <= 0x209C) || (code >= 0x1D62 && code <= 0x1D6A);
     return (character.isLetterOrNumber() && character != u'²') || character == u'_' || isSubscript;
+}
+
+QStringList listed(const QString &text)
+{
+    QStringList parts;
+    int depth = 0;
+    for (const QString &piece : text.split(u", "_s)) {
+        if (depth > 0)
+            parts.last() += u", "_s + piece;
+        else
+            parts += piece;
+        depth += int(piece.count(u'(') - piece.count(u')'));
+    }
+    return parts;
 }
 
 BigRational valueOf(const QString &expression, const ListingNames &names, Arithmetic arithmetic)

@@ -32,12 +32,16 @@ using ListingNames = std::map<QString, BigRational>;
 bool belongsToName(QChar character);
 
 /// Splits "A ← B; C and D likewise" into three statements; conditions likewise. "likewise" advances
-/// ₀ ₁ ₂, bc ca ab, a b c and α β γ by one, or R G B; of a coordinate along an edge, y₀₂ and m₀₂,
-/// it makes R₀₂ and δR₀₂. "each carried value likewise" stands for all of `carried`.
+/// ₀ ₁ ₂, bc ca ab, a b c, A B C and α β γ by one, or R G B; of a coordinate along an edge, y₀₂ and
+/// m₀₂, it makes R₀₂ and δR₀₂. "each carried value likewise" stands for all of `carried`.
 QStringList spelledOut(const QString &text, const QStringList &carried = {});
 
-/// The value of an expression of + − · / mod ( ), ⌊ ⌋, ⌈ ⌉, | |, √, ², cos, sin, (int)( ), whole
-/// numbers, ½, ¼ and names; 2Δy is 2·Δy. In float32 and float64 each operation rounds its result.
+/// The parts of "A, B" that commas divide outside of brackets: "max(A, B), C" has two.
+QStringList listed(const QString &text);
+
+/// The value of an expression of + − · / mod ( ), ⌊ ⌋, ⌈ ⌉, | |, √, ², cos, sin, max(A, B), min(A,
+/// B), (int)( ), whole numbers, ½, ¼ and names; 2Δy is 2·Δy. In float32 and float64 each operation
+/// rounds its result.
 BigRational valueOf(const QString &expression, const ListingNames &names, Arithmetic arithmetic);
 
 /// Whether a condition holds: "A > 0, or A = 0 and B > 0; C and D likewise", "0 ≤ A ≤ 1",

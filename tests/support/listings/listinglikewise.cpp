@@ -58,6 +58,7 @@ QString nextEdge(const QString &text)
     return turned(text,
                   {{{u"bc"_s, u"ca"_s, u"ab"_s}, bar, none},
                    {{u"a"_s, u"b"_s, u"c"_s}, bar, none},
+                   {{u"A"_s, u"B"_s, u"C"_s}, bar, none},
                    {{u"a"_s, u"b"_s, u"c"_s}, open, close},
                    {{u"₀"_s, u"₁"_s, u"₂"_s}, none, none},
                    {{u"α"_s, u"β"_s, u"γ"_s}, none, none}});

@@ -29,35 +29,7 @@ void ListingRun::computeIn(Arithmetic arithmetic)
                       isAnyExact ? ListingState::Asked::Exact : ListingState::Asked::AsComputed);
 }
 
-void ListingRun::run()
-{
-    const auto isOfLoops = [](const PseudocodeLine &line) {
-        return std::ranges::find(line.moments, Moment::SetUp) == line.moments.end()
-            && std::ranges::find(line.moments, Moment::Rejected) == line.moments.end();
-    };
-    const auto first = std::ranges::find_if(m_code, isOfLoops);
-    m_state.set(u"x_min"_s, m_box.firstX);
-    m_state.set(u"y_min"_s, m_box.firstY);
-    runSetUp(std::size_t(first - m_code.begin()));
-    runBlock(std::size_t(first - m_code.begin()), m_code.size());
-}
-
-void ListingRun::runSetUp(std::size_t end)
-{
-    for (std::size_t line = 0; line < end; line = endOfBlock(line)) {
-        const QString text = withoutRemark(m_code[line].text);
-        if (m_setUp == SetUp::Run) {
-            if (!text.startsWith(u"if no sample"_s) && !text.endsWith(u" of the shape"_s))
-                runLine(line);
-            continue;
-        }
-        if (text.startsWith(u"sort the vertices "_s) || text.startsWith(u'Δ'))
-            m_state.run(text);
-        const QString name = text.section(assigns, 0, 0);
-        if (text.contains(u", else "_s) && !name.contains(u' ') && !m_state.knows(name))
-            m_state.run(text);
-    }
-}
+void ListingRun::run() { runBlock(0, m_code.size()); }
 
 /// One past the lines below a line that are nested in it.
 std::size_t ListingRun::endOfBlock(std::size_t line) const
@@ -77,9 +49,11 @@ void ListingRun::runBlock(std::size_t first, std::size_t end)
 void ListingRun::runLine(std::size_t line)
 {
     const QString &listed = m_code[line].text;
+    if (listed.startsWith(u"if no"_s)) // "sample is to be drawn: done", where none would be
+        return;
     const QString text = m_state.meant(withoutRemark(listed));
     m_state.ask(askedBy(listed));
-    if (runLoop(line, text) || runCase(line, text))
+    if (runLoop(line, text) || runCase(line, text) || setBox(text))
         return;
     m_ran.push_back(line);
     m_state.run(text);
@@ -114,6 +88,34 @@ bool ListingRun::runLoop(std::size_t line, const QString &text)
         && (runBox(line, text) || runColumns(line, text) || runEdges(line, text)
             || runArcs(line, text) || runTriangles(line, text) || runMetItems(text)
             || runItems(line, text) || runRange(line, text));
+}
+
+/// False if the line is no box.
+bool ListingRun::setBox(const QString &text)
+{
+    static const QRegularExpression ofBox(
+        u"^box ← (?:the whole frame|x from (.+) to (.+), y likewise, clipped to the frame)$"_s),
+        coordinate(u"x(?=[₀-₂_])"_s);
+    if (!text.startsWith(u"box ← "_s))
+        return false;
+    const auto match = ofBox.match(text);
+    if (!match.hasMatch())
+        throw ListingFault(u"no box: "_s + text);
+    m_box = m_frame;
+    const auto clip = [&](const QString &axis, std::int64_t &first, std::int64_t &end) {
+        const auto valueOf = [&](int part) {
+            return m_state.valueOf(match.captured(part).replace(coordinate, axis))
+                .convert_to<std::int64_t>();
+        };
+        if (!match.captured(1).isEmpty()) {
+            first = std::max(first, valueOf(1));
+            end = std::min(end, valueOf(2) + 1);
+        }
+        m_state.set(axis + u"_min"_s, first);
+    };
+    clip(u"x"_s, m_box.firstX, m_box.endX);
+    clip(u"y"_s, m_box.firstY, m_box.endY);
+    return true;
 }
 
 bool ListingRun::runBox(std::size_t line, const QString &text)
@@ -217,73 +219,6 @@ bool ListingRun::runArcs(std::size_t line, const QString &text)
         runRound(line);
     }
     return true;
-}
-
-/// Points and edges; for edges k those with a condition, and min x_k and max x_k of these.
-bool ListingRun::runItems(std::size_t line, const QString &text)
-{
-    static const QRegularExpression ofItems(
-        u"^for each (?:point|edge(?: k)? from) \\((\\S+), (\\S+)\\)"
-        "(?: to \\((\\S+), (\\S+)\\))?(?: with (.+))?:$"_s);
-    const auto match = ofItems.match(text);
-    if (!match.hasMatch())
-        return false;
-    m_ends = match.capturedTexts().sliced(1, match.captured(3).isEmpty() ? 2 : 4);
-    m_met.clear();
-    for (std::size_t item = m_first; item < m_end; ++item) {
-        enterItem(item, m_ends);
-        if (!match.captured(5).isEmpty() && !m_state.holds(match.captured(5)))
-            continue;
-        m_met.push_back(item);
-        runRound(line);
-    }
-    m_state.setIndex({});
-    if (match.captured(5).isEmpty())
-        return true;
-    std::vector<Number> places = {Number(0)}; // of no edge there are no samples
-    if (!m_met.empty())
-        places.clear();
-    for (const std::size_t item : m_met)
-        places.push_back(m_state.valueOf(u"x_%1"_s.arg(item)));
-    m_state.set(u"min x_k"_s, std::ranges::min(places));
-    m_state.set(u"max x_k"_s, std::ranges::max(places));
-    return true;
-}
-
-/// The edges come in threes, a triangle's.
-bool ListingRun::runTriangles(std::size_t line, const QString &text)
-{
-    if (text != u"for each triangle, with its three edges:"_s)
-        return false;
-    for (std::size_t item = 0; item < m_items.size(); item += 3) {
-        m_first = item;
-        m_end = item + 3;
-        runRound(line);
-    }
-    return true;
-}
-
-bool ListingRun::runMetItems(const QString &text)
-{
-    static const QRegularExpression ofThem(u"^for each edge k of them with ([^:]+): (.+)$"_s);
-    const auto match = ofThem.match(text);
-    if (!match.hasMatch())
-        return false;
-    for (const std::size_t item : m_met) {
-        enterItem(item, m_ends);
-        if (m_state.holds(m_state.meant(match.captured(1))))
-            m_state.run(m_state.meant(match.captured(2)));
-    }
-    m_state.setIndex({});
-    return true;
-}
-
-void ListingRun::enterItem(std::size_t item, const QStringList &names)
-{
-    for (qsizetype i = 0; i < names.size(); ++i)
-        m_state.set(names[i], m_items[item].at(std::size_t(i)));
-    m_state.setIndex(QString::number(item));
-    m_state.setExchange(Exchange::None);
 }
 
 /// False if the line is no case.

@@ -8,6 +8,8 @@ namespace pixelplumb {
 
 /// Runs a method's listing as printed: what a student gets who types it in.
 /// It knows the statements of listingstate.h and
+///   box ← the whole frame
+///   box ← x from A to B, y likewise, clipped to the frame     x_min and y_min are its first
 ///   for each x of the box:                    the box's samples, ascending
 ///   for each column x from A to B:            "column" may be another word or missing
 ///   for each row y from A down to B:
@@ -34,21 +36,15 @@ class ListingRun {
 public:
     using Number = BigRational;
     using Pixels = ListingState::Pixels;
-    using Exchange = ListingState::Exchange;
-    /// Given: names are the set-up's results, by the titles of its numbers; only choices of names
-    /// that have no value yet, changes (Δ) and sorting are run. Run: the whole set-up is run, from
-    /// the numbers of the primitive itself.
-    enum class SetUp { Given, Run };
     /// The coordinates of a point or of an edge's two ends.
     using Item = std::vector<Number>;
 
-    /// box: the samples to visit; for listings without a box, those of the frame.
-    ListingRun(Pseudocode code, ListingNames names, const SampleBox &box,
-               SetUp setUp = SetUp::Given, Exchange exchange = Exchange::None)
+    /// names: the numbers of the primitive itself, and what the listing says is given. The set-up
+    /// is run like all else.
+    ListingRun(Pseudocode code, ListingNames names, const SampleBox &frame)
         : m_code(std::move(code))
-        , m_state(std::move(names), box, exchange)
-        , m_box(box)
-        , m_setUp(setUp)
+        , m_state(std::move(names), frame)
+        , m_frame(frame)
     {
     }
     /// Runs the listing in these numbers: exact, float32 or float64.
@@ -74,8 +70,8 @@ private:
     std::size_t endOfBlock(std::size_t line) const;
     void runBlock(std::size_t first, std::size_t end);
     void runLine(std::size_t line);
-    void runSetUp(std::size_t end);
     bool runLoop(std::size_t line, const QString &text);
+    bool setBox(const QString &text);
     bool runBox(std::size_t line, const QString &text);
     bool runRange(std::size_t line, const QString &text);
     bool runColumns(std::size_t line, const QString &text);
@@ -90,8 +86,7 @@ private:
 
     Pseudocode m_code;
     ListingState m_state;
-    SampleBox m_box;
-    SetUp m_setUp;
+    SampleBox m_frame, m_box; ///< the box is empty until a line sets it
     std::vector<Item> m_items;
     std::size_t m_first = 0, m_end = 0; ///< those that loops go through: all, or a triangle's
     std::vector<std::size_t> m_met; ///< those that met the last loop's condition

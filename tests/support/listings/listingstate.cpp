@@ -41,8 +41,12 @@ void ListingState::run(const QString &text)
         runStatement(statement);
 }
 
-void ListingState::runStatement(const QString &text)
+void ListingState::runStatement(const QString &statement)
 {
+    static const QRegularExpression ofEdge(u"^(?:E|f_)\\w+: "_s,
+                                           QRegularExpression::UseUnicodePropertiesOption);
+    const QString text
+        = statement.contains(u": "_s) ? QString(statement).remove(ofEdge) : statement;
     if (text.startsWith(u"pixel ("_s) || text.startsWith(u"frame["_s))
         draw(text);
     else if (text.startsWith(u"L_ij ← L"_s))
@@ -51,9 +55,11 @@ void ListingState::runStatement(const QString &text)
         add(text);
     else if (text == u"exchange x and y, here and where a pixel is written"_s)
         exchangeAxes();
+    else if (text == u"exchange the ends"_s)
+        exchangeEnds();
     else if (text == u"exchange i and j"_s)
         std::swap(m_edge[0], m_edge[1]);
-    else if (text.startsWith(u"on to the next "_s))
+    else if (text.startsWith(u"on to the next "_s) || text == u"done"_s)
         m_leaves = true;
     else if (text.contains(assigns))
         assign(text);
@@ -111,7 +117,7 @@ std::vector<ListingState::Result> ListingState::resultsOf(const QString &right) 
             append(value);
         return results;
     }
-    for (const QString &expression : right.split(u", "_s))
+    for (const QString &expression : listed(right))
         results.push_back(resultOf(chosen(expression)));
     return results;
 }
@@ -165,6 +171,16 @@ void ListingState::exchangeAxes()
         std::swap(names->at(u"x₁"_s), names->at(u"y₁"_s));
     }
     m_exchange = Exchange::Axes;
+}
+
+void ListingState::exchangeEnds()
+{
+    for (ListingNames *names : {&m_names, &m_exact})
+        for (auto &[name, value] : *names) {
+            const auto other = names->find(name.chopped(1) + u'₁');
+            if (name.endsWith(u'₀') && other != names->end())
+                std::swap(value, other->second);
+        }
 }
 
 bool ListingState::holds(const QString &condition) const

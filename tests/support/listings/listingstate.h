@@ -15,11 +15,14 @@ namespace pixelplumb {
 
 /// What a running listing has computed and drawn. Its statements are
 ///   A, B ← C, D        add A, B to C, D        A ← B; C and D likewise
+///   E₀: A, B ← C, D; E₁ and E₂ likewise       of an edge: E₀ only names it
 ///   A ← 1 if B > 0, else −1        A, B ← C, D if E > 0, else D, C
 ///   L_ij ← L₀₁ if x < x₁, else L₁₂            the edge whose digits i and j are from here on
 ///   sort the vertices by x, those of equal x by y: P₀, P₁, P₂
 ///                                             or "by y, the largest first, those of equal y by x"
 ///   exchange x and y, here and where a pixel is written
+///   exchange the ends                         A₀ and A₁ for every A
+///   done                                      nothing more is run
 ///   exchange i and j                          the digits of the edge
 ///   A[B] ← C                                  a value for each B
 ///   pixel (A, B) ← the bytes of R, G, B       writes nothing outside the frame
@@ -41,11 +44,10 @@ public:
     /// For a steep line, x and y are swapped when a pixel is written.
     enum class Exchange { None, Axes };
 
-    ListingState(ListingNames names, const SampleBox &box, Exchange exchange)
+    ListingState(ListingNames names, const SampleBox &box)
         : m_names(std::move(names))
         , m_exact(m_names)
         , m_box(box)
-        , m_exchange(exchange)
     {
     }
     /// Which values are kept, and which of them decisions and loops read.
@@ -110,12 +112,13 @@ private:
     };
     Result resultOf(const QString &expression) const;
     void set(const QString &name, const Result &result);
-    void runStatement(const QString &text);
+    void runStatement(const QString &statement);
     QString chosen(const QString &expression) const;
     void assign(const QString &statement);
     void add(const QString &statement);
     static void sortVertices(const QString &statement, ListingNames &names);
     void exchangeAxes();
+    void exchangeEnds();
     void draw(const QString &statement);
     void write(const QString &place, QRgb colour);
     Number byteOf(const QString &level) const;
@@ -130,7 +133,7 @@ private:
     bool m_keepsExact = false;
     Asked m_asked = Asked::AsComputed;
     SampleBox m_box;
-    Exchange m_exchange;
+    Exchange m_exchange = Exchange::None;
     QString m_edge, m_index;
     std::map<QString, QStringList> m_spelledOut; ///< the statements of the texts that were run
     Pixels m_pixels, m_under;

@@ -59,8 +59,9 @@ QString faultOfAll(const Method &method, const std::set<QString> &done)
     QStringList missing;
     for (const PseudocodeLine &line : method.pseudocode) {
         // Segments are drawn under one rule only: tst_segmentwords checks them; what a kind of
-        // antialiasing does, tst_curvelistings runs.
-        if (line.of != LineOf::Segment && line.antialiasing.empty() && !done.contains(line.text))
+        // antialiasing does, tst_curvelistings runs. A line without a text is another rule's.
+        if (line.of != LineOf::Segment && line.antialiasing.empty() && !line.text.isEmpty()
+            && !done.contains(line.text))
             missing += line.text;
     }
     return missing.isEmpty() ? QString() : u"never done: "_s + missing.join(u"; "_s);
