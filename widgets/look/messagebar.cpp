@@ -107,13 +107,13 @@ void MessageBar::place()
 }
 
 /// As wide as the text needs, and as high as that width requires.
-QSize MessageBar::sizeWithin(int widest) const
+QSize MessageBar::sizeWithin(int limit) const
 {
     const QMargins margins = layout()->contentsMargins();
     const int others = m_picture ? 0 : sizeHint().width() - m_text->sizeHint().width();
     const int asked = others + m_text->fontMetrics().size(0, m_text->text()).width()
         + margins.left() + margins.right() + besideMargin; // Qt breaks a line that just fits
-    const int width = std::min(asked, widest);
+    const int width = std::min(asked, limit);
     const int frame = 2 * frameWidth();
     return {
         width,

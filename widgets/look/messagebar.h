@@ -37,7 +37,7 @@ private:
     void place();
     void placeBelow();
     void placeBeside(const QRect &picture);
-    QSize sizeWithin(int widest) const;
+    QSize sizeWithin(int limit) const;
     bool isNextChoice(const QObject &watched, const QEvent &event) const;
 
     bool m_isFresh = false; ///< shown by the event that is being delivered
