@@ -96,8 +96,8 @@ private:
     static QString openTitle(const GradedSubmission &submission, const QString &sets)
     {
         const QString title = submission.lacksColours() ? rasterText(submission) : u"full points"_s;
-        const QString why = u"a right program may draw this, too"_s;
-        return title + u": "_s + (sets.isEmpty() ? why : u"like %1, but %2"_s.arg(sets, why));
+        return title + u": a right program may draw this"_s
+            + (sets.isEmpty() ? QString() : u", as may one with "_s + sets);
     }
 
     /// Among submissions with the same first set, keeps the sets that explain them all: rounding

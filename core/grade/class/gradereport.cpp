@@ -48,7 +48,7 @@ void appendClass(const GradedSubmission &submission, QStringList &lines)
             lines += u"%1: not right in %2"_s.arg(scene.scene, failed.join(u" and "_s));
     }
     if (lines.isEmpty() && submission.verdict == GradeVerdict::Undecidable)
-        lines += u"right within the leeway: a right program may draw this, too"_s;
+        lines += u"right within the leeway: a right program may draw this"_s;
     else if (lines.isEmpty())
         lines += nameOf(submission.verdict);
 }
@@ -74,10 +74,8 @@ QString firstOf(const QStringList &sets)
     return told.join(u", or "_s);
 }
 
-void appendFull(const GradedSubmission &submission, QStringList &lines)
+void appendCandidates(const GradedSubmission &submission, QStringList &lines)
 {
-    if (submission.searchError)
-        lines += u"the search for defects ended in an error: %1"_s.arg(*submission.searchError);
     QStringList synonyms; // that draw the same pictures as the first
     for (const GradedCandidate &candidate : submission.candidates) {
         const bool isEqual = candidate.distance == 0 && !candidate.undecidable;
@@ -101,6 +99,14 @@ void appendFull(const GradedSubmission &submission, QStringList &lines)
     }
     if (!synonyms.isEmpty())
         lines += u"the same pictures also come from "_s + synonyms.join(u"; "_s);
+}
+
+void appendFull(const GradedSubmission &submission, QStringList &lines)
+{
+    if (submission.searchError)
+        lines += u"the search for defects ended in an error: %1"_s.arg(*submission.searchError);
+    if (submission.verdict == GradeVerdict::Wrong) // a right program may draw the rest
+        appendCandidates(submission, lines);
     if (const QString text = unsandboxedText(submission); !text.isEmpty())
         lines += text;
     for (const GradedScene &scene : submission.scenes) {

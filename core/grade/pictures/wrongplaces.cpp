@@ -84,8 +84,9 @@ std::vector<Whereabouts> sidesOf(const CoveredPixels &shape, Difference verdict)
 QString rangeText(const char *one, std::int64_t first, std::int64_t last)
 {
     const QString name = QString::fromLatin1(one);
-    return first == last ? u"%1 %2"_s.arg(name).arg(first)
-                         : u"%1s %2 to %3"_s.arg(name).arg(first).arg(last);
+    return first == last
+        ? u"%1 %2"_s.arg(name, QString::number(first))
+        : u"%1s %2 to %3"_s.arg(name, QString::number(first), QString::number(last));
 }
 
 QString boxText(const std::vector<PicturePlace> &places, const FrameSpec &frame)

@@ -101,7 +101,8 @@ private slots:
         QCOMPARE(graded.points(), any->points());
         QCOMPARE(graded.convention.value_or(FrameConvention::AsAsked), convention);
         const QStringList told = sentencesFor(graded, HintLevel::Class);
-        QCOMPARE(told.contains(sentenceOf(convention)), !isAsked);
+        QCOMPARE(told.contains(sentenceOf(convention) + u"; judged by that convention"_s),
+                 !isAsked);
 
         const auto asked = readAssignment(assignmentWith({}));
         QCOMPARE(gradedBy(*asked, folder).verdict,

@@ -91,7 +91,7 @@ private slots:
     void aTieMovesWithThePicture_data()
     {
         QTest::addColumn<QByteArray>("id");
-        for (const char *id : {"channels-bgr-in-place-of-rgb", "upside-down",
+        for (const char *id : {"channels-bgr-in-place-of-rgb", "left-and-right-exchanged",
                                "shifted-by-1-to-the-right", "encoded-as-srgb-once-too-often"})
             QTest::newRow(id) << QByteArray(id);
     }

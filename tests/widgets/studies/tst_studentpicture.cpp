@@ -548,9 +548,9 @@ private slots:
 
     void aDefectOfThePictureAloneHasNoStep()
     {
-        const auto window = windowWithDefect("upside-down");
+        const auto window = windowWithDefect("left-and-right-exchanged");
         nameTheBug(*window);
-        choose(*window, "upside-down");
+        choose(*window, "left-and-right-exchanged");
         QVERIFY(!text(*window, "diagnosisSentence").contains("First wrong number: step"));
         QVERIFY(!named<QPushButton>(*window, "diagnosisOpen")->isEnabled());
     }

@@ -159,6 +159,7 @@ private slots:
         QTRY_VERIFY(text->isVisible());
         QVERIFY(text->verticalScrollBar()->maximum() > 0); // otherwise nothing is tested
         action(*window, "runToStart")->trigger();
+        action(*window, "nextPixel")->trigger(); // the set-up, whose lines are more than fit
         int marks = 0;
         bool hasScrolled = false;
         for (int step = 0; step < 12; ++step) {

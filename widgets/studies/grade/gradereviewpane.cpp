@@ -96,10 +96,12 @@ void GradeReviewPane::setSubmission(const std::optional<std::size_t> &place)
 {
     saveComment();
     savePoints();
-    if (m_shown && lacksReason())
+    if (m_shown && lacksReason()) {
+        m_withoutReason[*m_shown] = m_points->text();
         emit m_book->complaint(
             tr("%1 keeps the points of the checks: %2 were typed without a reason.")
                 .arg(m_book->report().submissions[*m_shown].name, m_points->text()));
+    }
     m_shown = place;
     for (QWidget *each : std::initializer_list<QWidget *>{m_scene, m_comment, m_points, m_reason,
                                                           m_accept, m_forCluster})
@@ -111,7 +113,10 @@ void GradeReviewPane::setSubmission(const std::optional<std::size_t> &place)
     if (place) {
         const GradedSubmission &submission = m_book->report().submissions[*place];
         m_points->setPlaceholderText(locale().toString(submission.pointsOfChecks()));
-        if (submission.review.points)
+        const auto typed = m_withoutReason.find(*place);
+        if (typed != m_withoutReason.end())
+            m_points->setText(typed->second);
+        else if (submission.review.points)
             m_points->setText(locale().toString(*submission.review.points));
         m_reason->setText(submission.review.reason.value_or(QString()));
         m_comment->setPlainText(submission.review.comment);
@@ -163,6 +168,7 @@ void GradeReviewPane::savePoints()
     const double points = locale().toDouble(m_points->text(), &isNumber);
     if (!m_shown || lacksReason() || (!m_points->text().isEmpty() && !isNumber))
         return;
+    m_withoutReason.erase(*m_shown);
     m_book->setPoints(*m_shown, isNumber ? std::optional(points) : std::nullopt,
                       m_reason->text().trimmed());
 }
@@ -177,6 +183,7 @@ void GradeReviewPane::commentCluster()
 void GradeReviewPane::showReport()
 {
     m_shown.reset(); // it belonged to another report, and is saved
+    m_withoutReason.clear();
     m_scene->clear();
     for (const AssignedScene &scene : m_book->report().assignment.scenes)
         m_scene->addItem(scene.name);
@@ -206,7 +213,8 @@ void GradeReviewPane::showCauses()
         && (submission->verdict != GradeVerdict::Right || !submission->lostInvariants().isEmpty());
     m_causes->setVisible(hasCause);
     m_causes->setText(hasCause ? m_book->clusters()[m_book->clusterOf(*m_shown)].title : QString());
-    const bool isExplained = hasCause && submission->isExplained();
+    const bool isExplained
+        = hasCause && submission->verdict == GradeVerdict::Wrong && submission->isExplained();
     m_done->setText(isExplained ? submission->candidates.front().forAssistant.join(u' ')
                                 : QString());
 }

@@ -3,6 +3,7 @@
 
 #include <QtWidgets>
 
+#include <map>
 #include <optional>
 
 namespace pixelplumb {
@@ -48,6 +49,7 @@ private:
 
     Gradebook *m_book;
     std::optional<std::size_t> m_shown;
+    std::map<std::size_t, QString> m_withoutReason; ///< points that wait for their reason
     QComboBox *m_scene = nullptr;
     QLabel *m_causes = nullptr;
     QLabel *m_sentences = nullptr;
