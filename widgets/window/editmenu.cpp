@@ -62,6 +62,7 @@ void EditMenu::addTools()
         action->setToolTip(tip);
         group->addAction(action);
         confineKeyTo(canvas, action);
+        action->setShortcutContext(Qt::WidgetWithChildrenShortcut); // others may take it, too
         m_tools += action;
     };
     addTool("drawTool", tr("Dra&w"), tr("draw"),

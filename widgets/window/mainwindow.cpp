@@ -9,6 +9,7 @@
 #include "widgets/files/sceneexports.h"
 #include "widgets/files/scenefiles.h"
 #include "widgets/files/studentpicturefiles.h"
+#include "widgets/inspect/columntablepanel.h"
 #include "widgets/inspect/predictpanel.h"
 #include "widgets/inspect/primitivespanel.h"
 #include "widgets/look/colourbutton.h"
@@ -65,6 +66,8 @@ MainWindow::MainWindow(QWidget *parent)
     setStatusBar(new WindowStatusBar(m_parts, this));
     connectParts();
     connectStudies(m_parts, *m_docks, this);
+    m_docks->whenBuilt<ColumnTablePanel>( // a click into the table must not cost the tools' keys
+        [this](ColumnTablePanel *panel) { panel->addActions(m_editMenu->tools()); });
     m_docks->whenBuilt<PrimitivesPanel>(
         [this](PrimitivesPanel *panel) { panel->takeKeysOf(m_editMenu->deletion()); });
     new WindowKeys(m_parts.canvas, this);

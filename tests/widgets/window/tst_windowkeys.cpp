@@ -180,6 +180,13 @@ private slots:
         QVERIFY(window->isWindowModified());
         QTest::keyClick(canvas, Qt::Key_Escape);
         QVERIFY(!window->isWindowModified());
+
+        QWidget *table = named<QWidget>(*window, "columnTable");
+        table->setFocus();
+        QTest::keyClick(table, Qt::Key_V);
+        QVERIFY(canvas->tool() == CanvasTool::Inspect);
+        QTest::keyClick(table, Qt::Key_P);
+        QVERIFY(canvas->tool() == CanvasTool::Draw);
     }
 
 private:
