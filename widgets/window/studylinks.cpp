@@ -226,12 +226,16 @@ void connectLab(const WindowParts &parts, WindowDocks &docks, DifferenceOpening 
         QObject::connect(lab, &AccuracyLab::complaint, parts.messageBar, &MessageBar::complain);
         QObject::connect(lab, &AccuracyLab::notice, parts.playhead, &Playhead::message);
         QObject::connect(
-            lab, &AccuracyLab::missRequested, opening, [&docks, opening](const LabMiss &miss) {
+            lab, &AccuracyLab::missRequested, opening,
+            [&docks, opening, canvas = parts.canvas](const LabMiss &miss) {
                 if (!opening->openAt(miss.scene, QPoint(int(miss.x), int(miss.y))))
                     return;
                 const Method *method = methodNamed(QString::fromStdString(miss.scene.method));
                 docks.raise<ComparePanel>()->setContenders(
                     {{method, miss.scene.settings}, {nullptr, miss.scene.settings}});
+                // The canvas has another size in this workspace.
+                QMetaObject::invokeMethod(
+                    canvas, [canvas] { showPickedPixel(*canvas); }, Qt::QueuedConnection);
             });
     });
 }

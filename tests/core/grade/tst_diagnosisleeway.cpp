@@ -296,8 +296,8 @@ private slots:
     /// rounding moves, does not explain it.
     void aLevelEdgeIsNotMovedByRounding()
     {
-        Scene scene
-            = sceneWith({triangleAt(8, 5, 36, 5, 19, 24), triangleAt(27, 43, 59, 43, 50, 21)});
+        Scene scene;
+        scene.triangles = {triangleAt(8, 5, 36, 5, 19, 24), triangleAt(27, 43, 59, 43, 50, 21)};
         Picture picture = pictureOf(scene);
         const auto line = int(pictureLine(scene.frame, 43));
         for (int x = 0; x < picture.width; ++x) {
